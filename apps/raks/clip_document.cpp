@@ -1,6 +1,8 @@
 #include "apps/raks/clip_document.hpp"
 
+#include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "base/printable.hpp"
@@ -64,6 +66,10 @@ std::string clip_document(const std::string& file,
                             {"reason", body->size.reason},
                             {"confidence", rounded(body->size.confidence)}};
         document["height"] = rounded(body->size.height);
+        document["floor"] = {{"metres", rounded(body->stance.floor * body->size.metres_per_unit)},
+                             {"confidence", rounded(body->stance.floor_confidence)}};
+        document["facing"] = {{"degrees", rounded(body->stance.facing)},
+                              {"confidence", rounded(body->stance.facing_confidence)}};
     }
     document["notes"] = figures.notes();
     return document.dump(2);

@@ -78,8 +78,7 @@ Expected<RetargetedClip> retarget(const StandingClip& standing,
         for (const Side side : kSides) {
             SourceFoot& foot = feet[static_cast<std::size_t>(side)];
             foot.ankle = world.positions[*mapping.joint(on_side(Bone::left_foot, side))] * unit;
-            foot.toe_tip =
-                toe_tip_of(clip, mapping, side, world.positions, world.rotations) * unit;
+            foot.toe_tip = toe_tip_of(clip, mapping, side, world.positions, world.rotations) * unit;
             toe_heights.push_back(foot.toe_tip.y);
         }
     }

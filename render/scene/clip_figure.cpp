@@ -125,8 +125,8 @@ void ClipFigures::look_at_rest_pose() {
     const double size = height * metres_per_unit_ / kMannequinHeight;
     size_ = std::clamp(static_cast<float>(size), kMinSize, kMaxSize);
     // Bodies of other sizes are drawn in the size that the camera can still show.
-    drawn_metres_ = size > 0.0 ? metres_per_unit_ * static_cast<double>(size_) / size
-                               : metres_per_unit_;
+    drawn_metres_ =
+        size > 0.0 ? metres_per_unit_ * static_cast<double>(size_) / size : metres_per_unit_;
     joints_.resize(rest.size());
     for (std::size_t j = 0; j < rest.size(); ++j) {
         const std::size_t parent = clip_.joints[j].parent;

@@ -30,9 +30,9 @@ struct ClipFigure {
 /// humanoid is found as for retargeting (body_finder.hpp): it stands with y up, in metres, on the
 /// whole facing us. Of anything else (an animal, half a body) the longer of y and z is up, and the
 /// unit guessed from the extent of the rest pose. Feet on the floor (y = 0 at the 5th percentile of
-/// the lowest joint's height), the middle of the root's way at the stage's centre. Joints whose rest
-/// place is left or right of the middle have that side's colour; the head is an egg with a nose
-/// where one is known. Threads: any (immutable). Real-time: no.
+/// the lowest joint's height), the middle of the root's way at the stage's centre. Joints whose
+/// rest place is left or right of the middle have that side's colour; the head is an egg with a
+/// nose where one is known. Threads: any (immutable). Real-time: no.
 class ClipFigures {
  public:
     /// The most joints that are drawn.
@@ -89,8 +89,8 @@ class ClipFigures {
     float size_ = 1.0F;          // of the body against the mannequin's 1.714 m
     std::vector<Joint> joints_;
     std::optional<std::size_t> head_;
-    motion::HumanoidMapping mapping_;  // empty for what is no humanoid
-    glm::dvec3 origin_{};              // of the stage; drawn metres
+    motion::HumanoidMapping mapping_;           // empty for what is no humanoid
+    glm::dvec3 origin_{};                       // of the stage; drawn metres
     glm::dquat facing_ = {1.0, 0.0, 0.0, 0.0};  // turns the body to us
 };
 

@@ -63,9 +63,9 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     }
     motion->labels = units.joints;
     // The rest pose is needed again, which retarget does not return.
-    const Expected<StandingClip> standing = stand(
-        *motion,
-        {.up = units.up, .metres_per_unit = units.metres_per_unit, .height = units.height});
+    const Expected<StandingClip> standing =
+        stand(*motion,
+              {.up = units.up, .metres_per_unit = units.metres_per_unit, .height = units.height});
     if (!standing) {
         return fail(Error(standing.error()).in(path.filename().string()));
     }

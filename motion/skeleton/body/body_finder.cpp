@@ -16,7 +16,8 @@ constexpr double kDoubtful = 0.6;  // confidence below which what was taken is s
 std::vector<std::string> FoundBody::notes() const {
     std::vector<std::string> notes;
     if (up.confidence < kDoubtful) {
-        notes.push_back(fmt::format("{} is taken for up: {} (--up sets it)", axis_name(up.axis), up.reason));
+        notes.push_back(
+            fmt::format("{} is taken for up: {} (--up sets it)", axis_name(up.axis), up.reason));
     } else if (up.axis != glm::dvec3(0.0, 1.0, 0.0)) {
         notes.push_back(fmt::format("{} is up: {}", axis_name(up.axis), up.reason));
     }
@@ -50,6 +51,8 @@ Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options
     }
     found.rest = find_rest_pose(posed, found.up.upright);
     found.size = find_size(posed, found.up.axis, {options.metres_per_unit, options.height});
+    found.stance =
+        find_stance(posed, found.up.upright, found.size.height / found.size.metres_per_unit);
     return found;
 }
 

@@ -55,9 +55,8 @@ std::vector<Bone> next_bones(Bone bone) {
         next.push_back(on_side(*at, side));
     }
     if (start == Bone::left_hand) {
-        for (const Bone finger : {Bone::left_index_proximal,
-                                  Bone::left_ring_proximal,
-                                  Bone::left_little_proximal}) {
+        for (const Bone finger :
+             {Bone::left_index_proximal, Bone::left_ring_proximal, Bone::left_little_proximal}) {
             next.push_back(on_side(finger, side));
         }
     }
@@ -70,8 +69,8 @@ std::optional<BoneAim> aim_between(const PosedBody& body, Bone base, Bone from, 
         return std::nullopt;
     }
     const std::size_t joint = body.joint(base);
-    const glm::dvec3 vector = body.local_vector(joint, body.joint(to)) -
-                              body.local_vector(joint, body.joint(from));
+    const glm::dvec3 vector =
+        body.local_vector(joint, body.joint(to)) - body.local_vector(joint, body.joint(from));
     const double least = kApart * body.distance(Bone::left_upper_leg, Bone::left_lower_leg);
     if (!(glm::length(vector) > least)) {
         return std::nullopt;

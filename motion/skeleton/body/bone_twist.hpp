@@ -18,15 +18,18 @@ namespace raks::motion {
 class TurnedBody {
  public:
     /// `upright`: turns the world of the file to y up.
-    TurnedBody(const PosedBody& body, const glm::dquat& upright) : body_(&body), upright_(upright) {}
+    TurnedBody(const PosedBody& body, const glm::dquat& upright)
+        : body_(&body), upright_(upright) {}
 
     /// Mean over the frames of the bone's joint against the bone above in the T-pose's frame: the
     /// rest that makes the bone move least against it.
-    [[nodiscard]] glm::dquat mean_against(Bone above, const glm::dquat& rest_above, Bone bone) const;
+    [[nodiscard]] glm::dquat mean_against(Bone above,
+                                          const glm::dquat& rest_above,
+                                          Bone bone) const;
 
-    /// For bones of arms and legs: the twist that lays the hinge of elbow or knee across the bone as
-    /// in the T-pose, added to the rest `straight`; `direction`: of the bone in the T-pose. None:
-    /// other bones, and limbs that are never bent.
+    /// For bones of arms and legs: the twist that lays the hinge of elbow or knee across the bone
+    /// as in the T-pose, added to the rest `straight`; `direction`: of the bone in the T-pose.
+    /// None: other bones, and limbs that are never bent.
     [[nodiscard]] std::optional<double> hinge_twist(Bone bone,
                                                     const glm::dquat& straight,
                                                     const glm::dvec3& direction) const;

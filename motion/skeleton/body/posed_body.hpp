@@ -12,9 +12,9 @@
 
 namespace raks::motion {
 
-/// Bones of a clip in frames evenly over it (at most kMostFrames, first and last among them), in the
-/// axes of the file and in its units. What is asked of it are places, which do not depend on how a
-/// file describes its rest pose. The clip must outlive it. Threads: workers. Real-time: no.
+/// Bones of a clip in frames evenly over it (at most kMostFrames, first and last among them), in
+/// the axes of the file and in its units. What is asked of it are places, which do not depend on
+/// how a file describes its rest pose. The clip must outlive it. Threads: workers. Real-time: no.
 class PosedBody {
  public:
     /// More frames tell nothing new about how a body is built.
@@ -43,8 +43,8 @@ class PosedBody {
     /// The lowest tip of a side's foot: end site of toes or foot, or the joint.
     [[nodiscard]] glm::dvec3 toe_tip(std::size_t i, Side side) const;
 
-    /// Mean of the vector from one joint to another in the first one's frame: constant where nothing
-    /// between them moves.
+    /// Mean of the vector from one joint to another in the first one's frame: constant where
+    /// nothing between them moves.
     [[nodiscard]] glm::dvec3 local_vector(std::size_t from, std::size_t to) const;
     /// Median distance of two bones that it has.
     [[nodiscard]] double distance(Bone a, Bone b) const;
@@ -55,7 +55,8 @@ class PosedBody {
     std::vector<ClipWorldPose> worlds_;
 };
 
-/// Tip of a foot in the world: end site of the toes or of the foot, or the joint itself; file units.
+/// Tip of a foot in the world: end site of the toes or of the foot, or the joint itself; file
+/// units.
 [[nodiscard]] glm::dvec3 toe_tip_of(const MotionClip& clip,
                                     const HumanoidMapping& mapping,
                                     Side side,

@@ -68,8 +68,8 @@ glm::dquat nearest_cube_turn(const glm::dquat& rotation) {
                 continue;
             }
             const glm::dmat3 cube(x, y, glm::cross(x, y));
-            const double fit =
-                glm::dot(cube[0], full[0]) + glm::dot(cube[1], full[1]) + glm::dot(cube[2], full[2]);
+            const double fit = glm::dot(cube[0], full[0]) + glm::dot(cube[1], full[1]) +
+                               glm::dot(cube[2], full[2]);
             if (fit > best_fit) {
                 best_fit = fit;
                 best = cube;
@@ -172,8 +172,8 @@ class RestFinder {
                 continue;
             }
             are_mirrored = are_mirrored && are_mirror_images(figure, *one, *other);
-            are_along_axes = are_along_axes && is_along_axis(one->in_joint) &&
-                             is_along_axis(other->in_joint);
+            are_along_axes =
+                are_along_axes && is_along_axis(one->in_joint) && is_along_axis(other->in_joint);
         }
         return are_mirrored || are_along_axes;
     }
@@ -195,11 +195,12 @@ class RestFinder {
             level_head(above, *aim);
         }
         const auto lateral = lateral_aim(body_, bone);
-        const glm::dquat straight = shortest_turn(figure_ * aim->in_joint, aim->in_t_pose) * figure_;
+        const glm::dquat straight =
+            shortest_turn(figure_ * aim->in_joint, aim->in_t_pose) * figure_;
         double twist = 0.0;
         if (lateral) {
-            twist = twist_of(turn_of_pair(*aim, *lateral) * glm::conjugate(straight),
-                             aim->in_t_pose);
+            twist =
+                twist_of(turn_of_pair(*aim, *lateral) * glm::conjugate(straight), aim->in_t_pose);
         } else {
             twist = twist_of(mean * glm::conjugate(straight), aim->in_t_pose);
             if (const auto hinge = turned_.hinge_twist(bone, straight, aim->in_t_pose)) {
@@ -280,8 +281,7 @@ class RestFinder {
             std::optional<glm::dquat> best;
             double best_angle = 1e9;
             for (const glm::dquat& frame : {above, figure_}) {
-                const double off =
-                    twist_of(turned(twist) * glm::conjugate(frame), aim.in_t_pose);
+                const double off = twist_of(turned(twist) * glm::conjugate(frame), aim.in_t_pose);
                 const double mildness = angle_of(mean * glm::conjugate(frame));
                 if (angle_between(frame * aim.in_joint, aim.in_t_pose) < near &&
                     std::abs(off) < kTwist && mildness + kMilder < best_angle) {

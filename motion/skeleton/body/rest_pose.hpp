@@ -40,9 +40,9 @@ enum class RestKind : std::uint8_t {
 ///    c. for a bone along an axis, that turn and quarter turns about the bone.
 ///    Only where none of these is near (the rest pose is some frame) the estimate itself is taken.
 ///
-/// So rest poses that were drawn give exact rotations; one that is a moment of the dance gives exact
-/// directions (places of all joints), and twists of the mildest motion. A limb whose rest pose is a
-/// T-pose within some degrees is taken as it is.
+/// So rest poses that were drawn give exact rotations; one that is a moment of the dance gives
+/// exact directions (places of all joints), and twists of the mildest motion. A limb whose rest
+/// pose is a T-pose within some degrees is taken as it is.
 struct RestPose {
     RestKind kind = RestKind::t_pose;
     std::vector<glm::dquat> joints;  ///< by joint of the clip; those without a bone move with one

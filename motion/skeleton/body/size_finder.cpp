@@ -21,16 +21,17 @@ struct Unit {
 constexpr std::array<Unit, 6> kUnits = {
     {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"dm", 0.1}, {"in", 0.0254}, {"ft", 0.3048}}};
 
-constexpr double kUsualHeight = 1.68;      // metres: mean of grown-up people
-constexpr double kFallbackHeight = 1.70;   // metres, where no unit fits
+constexpr double kMeanHeight = 1.68;      // metres: mean of grown-up people
+constexpr double kFallbackHeight = 1.70;  // metres, where no unit fits
 constexpr double kMannequinHeight = 1.714;
 // Grown-up people; outside, a child, a giant or another unit.
 constexpr double kShort = 1.45;
 constexpr double kTall = 2.05;
 // Outside, no person at all.
-constexpr double kShortest = 0.8;
-constexpr double kTallest = 2.4;
-constexpr double kGravity = 9.81;  // metres a second squared
+constexpr double kShortest = 1.1;
+constexpr double kTallest = 2.3;
+constexpr double kCmuUnit = 0.0254 / 0.45;  // metres of CMU's ASF files and all conversions
+constexpr double kGravity = 9.81;           // metres a second squared
 
 constexpr std::array<Bone, 6> kTrunk = {
     Bone::hips, Bone::spine, Bone::chest, Bone::upper_chest, Bone::neck, Bone::head};
@@ -71,21 +72,18 @@ struct Heights {
 Heights heights_of(const MotionClip& clip, const HumanoidMapping& mapping, const glm::dvec3& up) {
     Heights heights;
     const std::size_t top =
-        mapping.joint(Bone::neck).value_or(mapping.joint(Bone::head).value_or(
-            *mapping.joint(Bone::hips)));
+        mapping.joint(Bone::neck)
+            .value_or(mapping.joint(Bone::head).value_or(*mapping.joint(Bone::hips)));
     for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
         const ClipWorldPose world = world_pose(clip, frame);
-        const auto height = [&](std::size_t joint) {
-            return glm::dot(world.positions[joint], up);
-        };
+        const auto height = [&](std::size_t joint) { return glm::dot(world.positions[joint], up); };
         heights.middle.push_back(0.5 * (height(*mapping.joint(Bone::hips)) + height(top)));
         double lowest = 1e300;
         for (const Side side : kSides) {
-            lowest = std::min({lowest,
-                               height(*mapping.joint(on_side(Bone::left_foot, side))),
-                               glm::dot(toe_tip_of(clip, mapping, side, world.positions,
-                                                   world.rotations),
-                                        up)});
+            lowest = std::min(
+                {lowest,
+                 height(*mapping.joint(on_side(Bone::left_foot, side))),
+                 glm::dot(toe_tip_of(clip, mapping, side, world.positions, world.rotations), up)});
         }
         heights.lowest.push_back(lowest);
     }
@@ -93,7 +91,10 @@ Heights heights_of(const MotionClip& clip, const HumanoidMapping& mapping, const
 }
 
 /// Acceleration downward of the parabola through a jump's frames; none: it is no parabola.
-std::optional<double> fall_of(const std::vector<double>& heights, Jump jump, double rate, double size) {
+std::optional<double> fall_of(const std::vector<double>& heights,
+                              Jump jump,
+                              double rate,
+                              double size) {
     // Least squares about the middle: h = a + b t + c t^2, with odd and even parts apart.
     const double n = static_cast<double>(jump.end - jump.begin);
     double s2 = 0.0;
@@ -126,12 +127,37 @@ std::optional<double> fall_of(const std::vector<double>& heights, Jump jump, dou
     return -2.0 * c;
 }
 
+/// What remains where no usual unit makes a person: CMU's, free fall, or a usual height.
+FoundSize without_usual_unit(const PosedBody& body, const glm::dvec3& up, double height) {
+    FoundSize found;
+    const auto take = [&](double metres, double confidence, const char* reason) {
+        found.metres_per_unit = metres;
+        found.height = height * metres;
+        found.confidence = confidence;
+        found.reason = reason;
+        return found;
+    };
+    const auto fall = free_fall(body.clip(), body.mapping(), up, height);
+    const double falling = fall ? kGravity / *fall : 0.0;
+    const bool is_cmu = height * kCmuUnit > kShortest && height * kCmuUnit < kTallest;
+    // Jumps are good to a fifth or so.
+    if (is_cmu && (!fall || std::abs(std::log(falling / kCmuUnit)) < 0.25)) {
+        return take(kCmuUnit, 0.55, "no usual unit, but that of CMU's skeletons");
+    }
+    if (height * falling > kShortest && height * falling < kTallest) {
+        return take(falling, 0.55, "no usual unit, but bodies in the air fall so fast");
+    }
+    return take(
+        kFallbackHeight / height, 0.3, "no usual unit; the body is taken to be 1.70 m tall");
+}
+
 }  // namespace
 
 double body_height(const PosedBody& body) {
     Lengths lengths;
     for (const Side side : kSides) {
-        lengths.add(body, on_side(Bone::left_upper_leg, side), on_side(Bone::left_lower_leg, side), 0.5);
+        lengths.add(
+            body, on_side(Bone::left_upper_leg, side), on_side(Bone::left_lower_leg, side), 0.5);
         lengths.add(body, on_side(Bone::left_lower_leg, side), on_side(Bone::left_foot, side), 0.5);
     }
     Bone below = Bone::hips;
@@ -190,10 +216,13 @@ FoundSize find_size(const PosedBody& body, const glm::dvec3& up, const SizeOptio
         found.reason = "by the height that was given";
         return found;
     }
-    const auto off = [&](double metres) { return std::abs(std::log(height * metres / kUsualHeight)); };
-    const auto best = std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) {
-        return off(a.metres) < off(b.metres);
-    });
+    const auto off = [&](double metres) {
+        return std::abs(std::log(height * metres / kMeanHeight));
+    };
+    const auto best =
+        std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) {
+            return off(a.metres) < off(b.metres);
+        });
     found.metres_per_unit = best->metres;
     found.height = height * best->metres;
     found.reason = fmt::format("makes the body {:.2f} m tall", found.height);
@@ -205,20 +234,7 @@ FoundSize find_size(const PosedBody& body, const glm::dvec3& up, const SizeOptio
         found.confidence = 0.5;
         return found;
     }
-    const auto fall = free_fall(body.clip(), body.mapping(), up, height);
-    const double unit = fall ? kGravity / *fall : 0.0;
-    if (height * unit > kShortest && height * unit < kTallest) {
-        found.metres_per_unit = unit;
-        found.height = height * unit;
-        found.confidence = 0.6;
-        found.reason = "no usual unit; bodies in the air fall so fast";
-        return found;
-    }
-    found.metres_per_unit = kFallbackHeight / height;
-    found.height = kFallbackHeight;
-    found.confidence = 0.3;
-    found.reason = "no usual unit; the body is taken to be 1.70 m tall";
-    return found;
+    return without_usual_unit(body, up, height);
 }
 
 Expected<double> read_unit(std::string_view text) {
@@ -227,8 +243,8 @@ Expected<double> read_unit(std::string_view text) {
             return unit.metres;
         }
     }
-    return fail(fmt::format("\"{}\" is no unit; known: m, dm, cm, mm, in, ft",
-                            printable(text, 20)));
+    return fail(
+        fmt::format("\"{}\" is no unit; known: m, dm, cm, mm, in, ft", printable(text, 20)));
 }
 
 std::string unit_name(double metres) {

@@ -22,17 +22,18 @@ struct SizeOptions {
 /// What was found about it.
 struct FoundSize {
     double metres_per_unit = 1.0;
-    double height = 0.0;      ///< of the standing body, metres
-    double confidence = 0.0;  ///< 0 to 1
-    std::string reason;       ///< a few words
+    double height = 0.0;             ///< of the standing body, metres
+    double confidence = 0.0;         ///< 0 to 1
+    std::string reason;              ///< a few words
     std::vector<std::string> notes;  ///< one line each
 };
 
 /// The unit among metre, decimetre, centimetre, millimetre, inch and foot that makes the body
 /// nearest to 1.68 m tall: they differ by factors of 2.5 and more, people by less. The height is
 /// that of the legs and the trunk up to the head, as the posed frames have them, in proportion to
-/// the mannequin's. Where no unit makes a person (0.8 to 2.4 m), jumps tell: a body off the floor
-/// falls with 9.81 m/s2; without any, the body is taken to be 1.70 m tall. `up`: unit, of the file.
+/// the mannequin's. Where no unit makes a person (1.1 to 2.3 m), that of CMU's skeletons may
+/// (0.0254 / 0.45 m), and jumps tell: a body off the floor falls with 9.81 m/s2; without any of
+/// these, the body is taken to be 1.70 m tall. `up`: unit, of the file.
 [[nodiscard]] FoundSize find_size(const PosedBody& body,
                                   const glm::dvec3& up,
                                   const SizeOptions& options);

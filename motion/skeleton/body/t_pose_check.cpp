@@ -91,8 +91,8 @@ TPosedLimbs t_posed_limbs(const PosedBody& body, const glm::dquat& figure) {
     // A pair at a time, and arms with the trunk: where all bones lie along one axis, one arm does
     // lie sideways.
     limbs.legs = check.is_leg_straight(Side::left) && check.is_leg_straight(Side::right);
-    limbs.arms = limbs.trunk && check.is_arm_straight(Side::left) &&
-                 check.is_arm_straight(Side::right);
+    limbs.arms =
+        limbs.trunk && check.is_arm_straight(Side::left) && check.is_arm_straight(Side::right);
     return limbs;
 }
 

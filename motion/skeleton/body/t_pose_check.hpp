@@ -14,9 +14,7 @@ struct TPosedLimbs {
     bool arms = false;   ///< both, with shoulders and fingers
 
     /// Whether all are.
-    [[nodiscard]] bool are_all() const {
-        return trunk && legs && arms;
-    }
+    [[nodiscard]] bool are_all() const { return trunk && legs && arms; }
     /// Whether a bone belongs to one of them.
     [[nodiscard]] bool has(Bone bone) const;
 };

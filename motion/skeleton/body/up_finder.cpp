@@ -13,12 +13,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::array<glm::dvec3, 6> kAxes = {{{0, 1, 0},
-                                              {0, 0, 1},
-                                              {0, 0, -1},
-                                              {1, 0, 0},
-                                              {-1, 0, 0},
-                                              {0, -1, 0}}};
+constexpr std::array<glm::dvec3, 6> kAxes = {
+    {{0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, -1, 0}}};
 constexpr std::array<std::string_view, 6> kAxisNames = {"+y", "+z", "-z", "+x", "-x", "-y"};
 
 // The head of somebody who stands, sits or dances is that near to straight over the feet.
@@ -93,8 +89,7 @@ FoundUp find_up(const PosedBody& body) {
     }
     if (best != 0) {
         const double along_y = unevenness(body, kAxes[0]);
-        if (along_y < kFlat * rough_height(body) &&
-            along_y < 0.5 * unevenness(body, kAxes[best])) {
+        if (along_y < kFlat * rough_height(body) && along_y < 0.5 * unevenness(body, kAxes[best])) {
             found.confidence = 0.5;
             found.reason = fmt::format("the head points along {}, but the floor is level along y",
                                        kAxisNames[best]);

@@ -14,10 +14,10 @@ namespace raks::motion {
 
 /// What was found about a file's upright axis.
 struct FoundUp {
-    glm::dvec3 axis{0.0, 1.0, 0.0};                ///< of the file; unit
-    glm::dquat upright = {1.0, 0.0, 0.0, 0.0};     ///< turns it to +y
-    double confidence = 0.0;                       ///< 0 to 1
-    std::string reason;                            ///< a few words
+    glm::dvec3 axis{0.0, 1.0, 0.0};             ///< of the file; unit
+    glm::dquat upright = {1.0, 0.0, 0.0, 0.0};  ///< turns it to +y
+    double confidence = 0.0;                    ///< 0 to 1
+    std::string reason;                         ///< a few words
 };
 
 /// The axis (one of six) along which the head is over the feet in most frames. The floor has the

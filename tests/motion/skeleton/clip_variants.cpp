@@ -1,15 +1,18 @@
 #include "tests/motion/skeleton/clip_variants.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "motion/skeleton/body/bone_aims.hpp"
 #include "motion/skeleton/body/up_finder.hpp"
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,82 +20,35 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kJoints = 22;
-using Names = std::array<std::string_view, kJoints>;
-
 // The joints of own_dance(), in order.
 constexpr std::size_t kLeftArm = 7;
 constexpr std::size_t kRightArm = 11;
 constexpr std::size_t kLeftUpLeg = 14;
 constexpr std::size_t kRightUpLeg = 18;
 
-struct Scheme {
-    std::string_view name;
-    // Trunk from the hips to the head; shoulder, arm, forearm and hand; thigh, shin, foot and toes:
-    // "*" stands for the side.
-    std::array<std::string_view, 14> joints;
-    std::array<std::string_view, 2> sides;
-};
-
-constexpr std::array<Scheme, 12> kSchemes = {{
-    {"cmu",
-     {"Hips", "Spine", "Spine1", "Spine2", "Neck", "Head", "*Shoulder", "*Arm", "*ForeArm", "*Hand",
-      "*UpLeg", "*Leg", "*Foot", "*ToeBase"},
-     {"Left", "Right"}},
-    {"mixamo",
-     {"mixamorig:Hips", "mixamorig:Spine", "mixamorig:Spine1", "mixamorig:Spine2", "mixamorig:Neck",
-      "mixamorig:Head", "mixamorig:*Shoulder", "mixamorig:*Arm", "mixamorig:*ForeArm",
-      "mixamorig:*Hand", "mixamorig:*UpLeg", "mixamorig:*Leg", "mixamorig:*Foot",
-      "mixamorig:*ToeBase"},
-     {"Left", "Right"}},
-    {"xsens",
-     {"Hips", "Chest", "Chest2", "Chest4", "Neck", "Head", "*Collar", "*Shoulder", "*Elbow",
-      "*Wrist", "*Hip", "*Knee", "*Ankle", "*Toe"},
-     {"Left", "Right"}},
-    {"smpl",
-     {"pelvis", "spine1", "spine2", "spine3", "neck", "head", "*_collar", "*_shoulder", "*_elbow",
-      "*_wrist", "*_hip", "*_knee", "*_ankle", "*_foot"},
-     {"left", "right"}},
-    {"rokoko",
-     {"Hips", "Spine1", "Spine2", "Spine3", "Neck", "Head", "*Shoulder", "*Arm", "*ForeArm", "*Hand",
-      "*Thigh", "*Shin", "*Foot", "*Toe"},
-     {"Left", "Right"}},
-    {"vroid",
-     {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_C_Chest", "J_Bip_C_UpperChest", "J_Bip_C_Neck",
-      "J_Bip_C_Head", "J_Bip_*_Shoulder", "J_Bip_*_UpperArm", "J_Bip_*_LowerArm", "J_Bip_*_Hand",
-      "J_Bip_*_UpperLeg", "J_Bip_*_LowerLeg", "J_Bip_*_Foot", "J_Bip_*_ToeBase"},
-     {"L", "R"}},
-    {"vrm",
-     {"hips", "spine", "chest", "upperChest", "neck", "head", "*Shoulder", "*UpperArm", "*LowerArm",
-      "*Hand", "*UpperLeg", "*LowerLeg", "*Foot", "*Toes"},
-     {"left", "right"}},
-    {"unreal",
-     {"pelvis", "spine_01", "spine_02", "spine_03", "neck_01", "head", "clavicle_*", "upperarm_*",
-      "lowerarm_*", "hand_*", "thigh_*", "calf_*", "foot_*", "ball_*"},
-     {"l", "r"}},
-    {"biped",
-     {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Spine1", "Bip01 Spine2", "Bip01 Neck", "Bip01 Head",
-      "Bip01 * Clavicle", "Bip01 * UpperArm", "Bip01 * Forearm", "Bip01 * Hand", "Bip01 * Thigh",
-      "Bip01 * Calf", "Bip01 * Foot", "Bip01 * Toe0"},
-     {"L", "R"}},
-    {"daz",
-     {"hip", "abdomen", "abdomen2", "chest", "neck", "head", "*Collar", "*Shldr", "*ForeArm",
-      "*Hand", "*Thigh", "*Shin", "*Foot", "*Toe"},
-     {"l", "r"}},
-    {"bandai",
-     {"Hips", "Spine", "Spine2", "Chest", "Neck", "Head", "Shoulder_*", "UpperArm_*", "LowerArm_*",
-      "Hand_*", "UpperLeg_*", "LowerLeg_*", "Foot_*", "Toes_*"},
-     {"L", "R"}},
-    {"blender",
-     {"hips", "spine", "spine.001", "spine.002", "neck", "head", "shoulder.*", "upper_arm.*",
-      "forearm.*", "hand.*", "thigh.*", "shin.*", "foot.*", "toe.*"},
-     {"L", "R"}},
-}};
-
-std::string on_side(std::string_view name, std::string_view side) {
-    const std::size_t at = name.find('*');
-    return std::string(name.substr(0, at)) + std::string(side) + std::string(name.substr(at + 1));
-}
+/// The bones of own_dance(), in order.
+constexpr std::array<Bone, 22> kBones = {Bone::hips,
+                                         Bone::spine,
+                                         Bone::chest,
+                                         Bone::upper_chest,
+                                         Bone::neck,
+                                         Bone::head,
+                                         Bone::left_shoulder,
+                                         Bone::left_upper_arm,
+                                         Bone::left_lower_arm,
+                                         Bone::left_hand,
+                                         Bone::right_shoulder,
+                                         Bone::right_upper_arm,
+                                         Bone::right_lower_arm,
+                                         Bone::right_hand,
+                                         Bone::left_upper_leg,
+                                         Bone::left_lower_leg,
+                                         Bone::left_foot,
+                                         Bone::left_toes,
+                                         Bone::right_upper_leg,
+                                         Bone::right_lower_leg,
+                                         Bone::right_foot,
+                                         Bone::right_toes};
 
 /// Rotation of a joint in the world at the first frame.
 glm::dquat first_rotation(const MotionClip& clip, std::size_t joint) {
@@ -138,18 +94,9 @@ void lay_along_x(const MotionClip& clip, std::vector<glm::dquat>& frames) {
 
 }  // namespace
 
-std::string_view name_of(NameScheme scheme) {
-    return kSchemes[static_cast<std::size_t>(scheme)].name;
-}
-
 std::string_view name_of(RestVariant rest) {
-    constexpr std::array<std::string_view, 7> kNames = {"T-pose",
-                                                        "A-pose 30",
-                                                        "A-pose 45",
-                                                        "N-pose",
-                                                        "sitting",
-                                                        "along x",
-                                                        "first frame"};
+    constexpr std::array<std::string_view, 7> kNames = {
+        "T-pose", "A-pose 30", "A-pose 45", "N-pose", "sitting", "along x", "first frame"};
     return kNames[static_cast<std::size_t>(rest)];
 }
 
@@ -159,16 +106,10 @@ MotionClip own_dance() {
     return read_bvh(path).value();
 }
 
-MotionClip renamed(MotionClip clip, NameScheme scheme) {
-    const Scheme& names = kSchemes[static_cast<std::size_t>(scheme)];
-    for (std::size_t j = 0; j < 6; ++j) {
-        clip.joints[j].name = names.joints[j];
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-        clip.joints[6 + j].name = on_side(names.joints[6 + j], names.sides[0]);
-        clip.joints[10 + j].name = on_side(names.joints[6 + j], names.sides[1]);
-        clip.joints[kLeftUpLeg + j].name = on_side(names.joints[10 + j], names.sides[0]);
-        clip.joints[kRightUpLeg + j].name = on_side(names.joints[10 + j], names.sides[1]);
+MotionClip renamed(MotionClip clip, const body_test::NamingScheme& scheme) {
+    const std::map<Bone, std::string> names = body_test::names_of(scheme);
+    for (std::size_t j = 0; j < kBones.size(); ++j) {
+        clip.joints[j].name = names.at(kBones[j]);
     }
     return clip;
 }
@@ -251,6 +192,58 @@ MotionClip in_unit(MotionClip clip, double metres) {
         position *= factor;
     }
     return clip;
+}
+
+namespace {
+
+/// Degrees about z, x and y, in this order, of a rotation.
+glm::dvec3 zxy_degrees(const glm::dquat& rotation) {
+    const glm::dmat3 m = glm::mat3_cast(glm::normalize(rotation));
+    // m[column][row]: R = Rz Rx Ry.
+    const double x = std::asin(std::clamp(m[1][2], -1.0, 1.0));
+    return {glm::degrees(std::atan2(-m[1][0], m[1][1])),
+            glm::degrees(x),
+            glm::degrees(std::atan2(-m[0][2], m[2][2]))};
+}
+
+void add_joint(const MotionClip& clip, std::size_t joint, std::string& text) {
+    const ClipJoint& at = clip.joints[joint];
+    text += fmt::format("{} {}\n{{\nOFFSET {} {} {}\nCHANNELS {} Zrotation Xrotation Yrotation\n",
+                        at.parent == joint ? "ROOT" : "JOINT",
+                        at.name,
+                        at.offset.x,
+                        at.offset.y,
+                        at.offset.z,
+                        at.parent == joint ? "6 Xposition Yposition Zposition" : "3");
+    for (std::size_t child = joint + 1; child < clip.joints.size(); ++child) {
+        if (clip.joints[child].parent == joint) {
+            add_joint(clip, child, text);
+        }
+    }
+    if (at.end_site) {
+        text += fmt::format(
+            "End Site\n{{\nOFFSET {} {} {}\n}}\n", at.end_site->x, at.end_site->y, at.end_site->z);
+    }
+    text += "}\n";
+}
+
+}  // namespace
+
+std::string bvh_text(const MotionClip& clip) {
+    std::string text = "HIERARCHY\n";
+    add_joint(clip, 0, text);
+    text += fmt::format(
+        "MOTION\nFrames: {}\nFrame Time: {}\n", clip.frame_count, 1.0 / clip.frames_per_second);
+    for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
+        const glm::dvec3& place = clip.position(frame, 0);
+        text += fmt::format("{} {} {}", place.x, place.y, place.z);
+        for (std::size_t joint = 0; joint < clip.joints.size(); ++joint) {
+            const glm::dvec3 angles = zxy_degrees(clip.rotation(frame, joint));
+            text += fmt::format(" {} {} {}", angles.x, angles.y, angles.z);
+        }
+        text += "\n";
+    }
+    return text;
 }
 
 }  // namespace raks::motion

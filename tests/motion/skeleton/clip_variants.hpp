@@ -2,41 +2,17 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "motion/skeleton/motion_clip.hpp"
+#include "tests/motion/skeleton/body/naming_schemes.hpp"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 namespace raks::motion {
-
-/// Naming schemes of programs and research sets.
-enum class NameScheme {
-    cmu,
-    mixamo,
-    xsens,
-    smpl,
-    rokoko,
-    vroid,
-    vrm,
-    unreal,
-    biped,
-    daz,
-    bandai,
-    blender,
-};
-inline constexpr std::array<NameScheme, 12> kNameSchemes = {NameScheme::cmu,
-                                                            NameScheme::mixamo,
-                                                            NameScheme::xsens,
-                                                            NameScheme::smpl,
-                                                            NameScheme::rokoko,
-                                                            NameScheme::vroid,
-                                                            NameScheme::vrm,
-                                                            NameScheme::unreal,
-                                                            NameScheme::biped,
-                                                            NameScheme::daz,
-                                                            NameScheme::bandai,
-                                                            NameScheme::blender};
 
 /// What a body does when no joint is rotated.
 enum class RestVariant {
@@ -64,8 +40,7 @@ inline constexpr std::array<glm::dvec3, 4> kUpVariants = {
 /// foot.
 inline constexpr std::array<double, 6> kUnitVariants = {1.0, 0.1, 0.01, 0.001, 0.0254, 0.3048};
 
-/// Names for messages.
-[[nodiscard]] std::string_view name_of(NameScheme scheme);
+/// Its name for messages.
 [[nodiscard]] std::string_view name_of(RestVariant rest);
 
 /// Our own dance of tests/data/bvh: 22 joints in CMU's names and order, T-pose, y up, centimetres,
@@ -73,13 +48,18 @@ inline constexpr std::array<double, 6> kUnitVariants = {1.0, 0.1, 0.01, 0.001, 0
 [[nodiscard]] MotionClip own_dance();
 
 /// The same motion of own_dance(), written otherwise: every joint is at the same place.
-[[nodiscard]] MotionClip renamed(MotionClip clip, NameScheme scheme);
+[[nodiscard]] MotionClip renamed(MotionClip clip, const body_test::NamingScheme& scheme);
 [[nodiscard]] MotionClip with_rest(MotionClip clip, RestVariant rest);
-/// Turned so that `up` points up; `turns_rest`: the offsets too, as programs that work with such
-/// axes write, not the root's rotation alone.
-enum class UpStyle { root_only, whole_file };
+/// How a file comes by another axis that points up.
+enum class UpStyle {
+    root_only,  ///< the root's rotation is turned, the offsets are not
+    whole_file  ///< the offsets, too, as programs that work with such axes write
+};
 [[nodiscard]] MotionClip with_up(MotionClip clip, const glm::dvec3& up, UpStyle style);
 [[nodiscard]] MotionClip in_unit(MotionClip clip, double metres);
+
+/// The clip as a BVH file: root with places, rotations in degrees, all numbers with full precision.
+[[nodiscard]] std::string bvh_text(const MotionClip& clip);
 
 /// The same motion with joint j's frame turned by `frames[j]`: world rotations get it as a factor
 /// on their right.

@@ -76,8 +76,9 @@ TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
     for (motion::ClipJoint& joint : headless.joints) {
         joint.name = "joint";
     }
-    EXPECT_GT(figure.shape.vertices.size(),
-              ClipFigures::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
+    EXPECT_GT(
+        figure.shape.vertices.size(),
+        ClipFigures::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
         << "the egg and the nose";
 }
 
@@ -108,7 +109,8 @@ TEST_F(ClipPicture, shows_the_body_where_the_avatar_would_be_and_the_avatar_agai
     auto renderer = Renderer::create(build_mannequin(), {.quality = Quality::fast});
     ASSERT_TRUE(renderer) << renderer.error().message;
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const std::vector<ClipFigure> figures = {ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0)};
+    const std::vector<ClipFigure> figures = {
+        ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0)};
     const std::vector<motion::Pose> poses = {standing_pose()};
     PoseSheetConfig config;
     config.columns = 1;
