@@ -229,7 +229,8 @@ struct SheetArguments {
 /// Arguments of `raks stick`.
 struct StickArguments {
     engine::Settings settings;         ///< of the files and the options
-    Path input;                        ///< .bvh, or a written dance (.toml)
+    Path input;                        ///< a motion file, or a written dance (.toml)
+    Path skeleton;                     ///< .asf of an .amc; empty: looked for beside it
     Path output;                       ///< .png: front and side views; empty: a window
     std::string figure;                ///< of a written dance; empty: all
     double bpm = 0.0;                  ///< to dance it at; 0: as it is written

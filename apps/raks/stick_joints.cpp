@@ -26,7 +26,7 @@ Expected<void> look_for_joints(const StickArguments& arguments, motion::MotionCl
         say(arguments.input.string() + ": " + note);
     }
     if (search->refusal) {
-        say(arguments.input.string() + ": " + search->refusal->message);
+        say(arguments.input.string() + ": drawn as it is: " + search->refusal->message);
     }
     return {};
 }

@@ -26,6 +26,16 @@ struct ClipFigure {
     motion::WorldPose landmarks;
 };
 
+/// What is drawn of a recording, frame by frame.
+class RecordedFigures {
+ public:
+    virtual ~RecordedFigures() = default;
+    /// Its height divided by the mannequin's: the factor for a camera's distance.
+    [[nodiscard]] virtual float size() const noexcept = 0;
+    /// The figure at a frame of the recording; `frame` < its frame count.
+    [[nodiscard]] virtual ClipFigure at(std::size_t frame) const = 0;
+};
+
 /// The stick figure of a clip's own skeleton, of whatever shape: bones keep their lengths. A
 /// humanoid is found as for retargeting (body_finder.hpp): it stands with y up, in metres, on the
 /// whole facing us. Of anything else (an animal, half a body) the longer of y and z is up, and the
@@ -33,7 +43,7 @@ struct ClipFigure {
 /// the lowest joint's height), the middle of the root's way at the stage's centre. Joints whose
 /// rest place is left or right of the middle have that side's colour; the head is an egg with a
 /// nose where one is known. Threads: any (immutable). Real-time: no.
-class ClipFigures {
+class ClipFigures final : public RecordedFigures {
  public:
     /// The most joints that are drawn.
     static constexpr std::size_t kMaxJoints =
@@ -54,10 +64,10 @@ class ClipFigures {
 
     /// Height of the body as posed divided by the mannequin's: the factor for a camera's distance.
     /// A body of absurd size (a wrong unit was given) is drawn as small or large as can be shown.
-    [[nodiscard]] float size() const noexcept { return size_; }
+    [[nodiscard]] float size() const noexcept override { return size_; }
 
     /// The figure at a frame of the clip; `frame` < the clip's frame count.
-    [[nodiscard]] ClipFigure at(std::size_t frame) const;
+    [[nodiscard]] ClipFigure at(std::size_t frame) const override;
 
  private:
     explicit ClipFigures(motion::MotionClip clip) : clip_(std::move(clip)) {}

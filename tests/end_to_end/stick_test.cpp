@@ -24,10 +24,36 @@ TEST_F(Stick, draws_front_and_side_of_the_whole_clip) {
     const ProcessResult result =
         run({"stick", clip("odd/plain.bvh"), "-o", path("sheet.png"), "--scale", "0.01"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find("plain.bvh: drawn as it is: no humanoid: legs, arms not found"),
+              std::string::npos)
+        << result.err;
     EXPECT_EQ(result.out,
               path("sheet.png") + ": front and side of frames 0 1 2 3 4 5 6 7 8 9 10 11\n");
     EXPECT_EQ(picture("sheet.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Stick, writes_a_map_of_joints_that_it_reads_again) {
+    ASSERT_EQ(run({"synth", "-o", path("song.wav"), "--duration", "2"}).exit_code, 0);
+    ASSERT_EQ(run({"dance", path("song.wav"), "-o", path("danced.bvh")}).exit_code, 0);
+    const ProcessResult written =
+        run({"stick", path("danced.bvh"), "--write-joints", path("map.toml"), "--scale", "1"});
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_EQ(written.out,
+              path("map.toml") + ": which joint is which bone; mend it and give it to --joints\n");
+    const auto look = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {
+            "stick", path("danced.bvh"), "--write-joints", path("again.toml"), "--scale", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    ASSERT_EQ(look({"--joints", path("map.toml")}).exit_code, 0);
+    EXPECT_EQ(picture("again.toml"), picture("map.toml"));
+    const ProcessResult wrong =
+        look({"--joints", path("map.toml"), "--joint", "head=leftHnd", "--joint", "hips=hips"});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(wrong.err)) << wrong.err;
+    EXPECT_NE(wrong.err.find("did you mean \"leftHand\"?"), std::string::npos) << wrong.err;
 }
 
 TEST_F(Stick, draws_one_frame_large_at_the_size_asked_for) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -54,7 +53,7 @@ void move_hips_joint(const MotionClip& motion,
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
                                  std::vector<std::string>& warnings) {
-    Expected<MotionClip> motion = read_bvh(path, {.frames_per_second = units.frames_per_second});
+    Expected<MotionClip> motion = read_skeleton_motion(path, units.reading);
     if (!motion) {
         return fail(motion.error());
     }
@@ -80,7 +79,7 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     for (const std::string& note : notes) {
         warnings.push_back(path.filename().string() + ": " + note);
     }
-    if (!units.metres_per_unit && !units.height) {
+    if (!units.metres_per_unit && !units.height && !motion->metres_per_unit) {
         warnings.push_back(fmt::format("{}: its unit is taken for {}: {}",
                                        path.filename().string(),
                                        unit_name(body->metres_per_unit),

@@ -46,11 +46,16 @@ Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options
     const PosedBody posed(clip, found.mapping());
     if (options.up) {
         found.up = {*options.up, turn_to_y(*options.up), 1.0, "given"};
+    } else if (clip.up) {
+        found.up = {*clip.up, turn_to_y(*clip.up), 1.0, "as its format has it"};
     } else {
         found.up = find_up(posed);
     }
     found.rest = find_rest_pose(posed, found.up.upright);
-    found.size = find_size(posed, found.up.axis, {options.metres_per_unit, options.height});
+    // A height that is given is stronger than the unit of a format.
+    const auto unit =
+        options.metres_per_unit || options.height ? options.metres_per_unit : clip.metres_per_unit;
+    found.size = find_size(posed, found.up.axis, {unit, options.height});
     found.stance =
         find_stance(posed, found.up.upright, found.size.height / found.size.metres_per_unit);
     return found;
@@ -72,6 +77,7 @@ MotionClip stood_up(MotionClip clip, const FoundBody& body) {
         std::all_of(rest.begin(), rest.end(), [](const glm::dquat& q) { return q == kNoTurn; })) {
         return clip;
     }
+    clip.up = glm::dvec3(0.0, 1.0, 0.0);
     const std::size_t joints = clip.joints.size();
     for (std::size_t j = 0; j < joints; ++j) {
         ClipJoint& joint = clip.joints[j];

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <utility>
 
-#include "base/printable.hpp"
-#include "base/suggest.hpp"
-#include "motion/skeleton/body/bone_words.hpp"
 #include "motion/skeleton/body/bones_by_name.hpp"
 #include "motion/skeleton/body/bones_by_shape.hpp"
 #include "motion/skeleton/body/joint_report.hpp"
+#include "motion/skeleton/body/labelled_joints.hpp"
 #include "motion/skeleton/body/posed_skeleton.hpp"
 #include "motion/skeleton/body/side_evidence.hpp"
+#include "motion/skeleton/body/trunk_chain.hpp"
 
 namespace raks::motion {
 namespace {
@@ -29,12 +27,11 @@ constexpr double kBetween = 0.8;     // counted between joints that are sure
 constexpr double kOneOfTwo = 0.7;    // the name says so, the shape something else
 constexpr double kLegsAlone = 0.3;   // two equal limbs that may be legs
 
-constexpr double kLeastFit = 0.3;     // a shape that fits less is none
-constexpr double kSecondFit = 0.5;    // the same of a second body: a chair is no person
-constexpr double kWrongSide = -0.4;   // evidence against the sides that names give
-constexpr double kNoSide = 0.2;       // evidence that tells no side
-constexpr double kClear = 0.5;        // one voice of it that leaves no doubt
-constexpr std::size_t kLongest = 40;  // bytes of a name in a message
+constexpr double kLeastFit = 0.3;    // a shape that fits less is none
+constexpr double kSecondFit = 0.5;   // the same of a second body: a chair is no person
+constexpr double kWrongSide = -0.4;  // evidence against the sides that names give
+constexpr double kNoSide = 0.2;      // evidence that tells no side
+constexpr double kClear = 0.5;       // one voice of it that leaves no doubt
 
 bool is_sided(Bone bone) { return mirrored(bone) != bone; }
 
@@ -63,23 +60,14 @@ class Finder {
     explicit Finder(const MotionClip& clip)
         : clip_(clip), body_(clip), tree_(body_.tree()), shapes_(bodies_by_shape(body_)) {}
 
-    Expected<void> take_labels(const JointLabels& labels) {
-        for (const JointLabel& label : labels.joints) {
-            const Expected<std::size_t> joint = joint_called(label);
-            if (!joint) {
-                return fail(labels.source + ": " + joint.error().message);
-            }
-            set(label.bone, static_cast<int>(*joint), "said by " + labels.source, kSaid);
+    Expected<void> take_labels() {
+        const Expected<HumanoidMapping> said = labelled_joints(clip_, tree_);
+        if (!said) {
+            return fail(said.error());
         }
-        for (const JointLabel& label : labels.joints) {
-            if (const std::optional<Bone> parent = nearest_above(label.bone);
-                parent && !tree_.is_below(joint(label.bone), joint(*parent))) {
-                return fail(fmt::format("{}: {} \"{}\" does not hang on {} \"{}\"",
-                                        labels.source,
-                                        kBoneNames[index_of(label.bone)],
-                                        name_of(label.bone),
-                                        kBoneNames[index_of(*parent)],
-                                        name_of(*parent)));
+        for (const Bone bone : all_bones()) {
+            if (const auto joint = said->joint(bone)) {
+                set(bone, static_cast<int>(*joint), "said by " + clip_.labels.source, kSaid);
             }
         }
         return {};
@@ -104,7 +92,7 @@ class Finder {
     /// A bone cannot lie above what it is a part of.
     void drop_upside_down() {
         for (const Bone bone : all_bones()) {
-            const std::optional<Bone> parent = nearest_above(bone);
+            const std::optional<Bone> parent = nearest_above(found_.mapping, bone);
             if (!has(bone) || !parent || tree_.is_below(joint(bone), joint(*parent))) {
                 continue;
             }
@@ -123,6 +111,7 @@ class Finder {
             return;
         }
         BonesByShape& shape = shapes_.front();
+        drop_lies(shape);
         const bool is_side_sure = align_sides(shape);
         const double confidence = kBestShape * (is_side_sure ? 1.0 : 0.5) * (0.5 + 0.5 * shape.fit);
         for (const Bone bone : all_bones()) {
@@ -136,6 +125,7 @@ class Finder {
                 add(bone, shape.joint(bone), "by tree and motion", confidence);
             }
         }
+        note_doubts(shape);
         if (!has_names_) {
             found_.notes.push_back(fmt::format(
                 "names say nothing; joints are found by tree and motion (confidence {:.2f})",
@@ -147,7 +137,7 @@ class Finder {
     /// under two schemes of names bends alike.
     void spread_spine() {
         constexpr std::array kTrunk = {Bone::spine, Bone::chest, Bone::upper_chest};
-        const std::vector<int> chain = trunk_chain();
+        const std::vector<int> chain = trunk_chain(clip_, body_, found_.mapping);
         const bool is_any_said =
             std::any_of(kTrunk.begin(), kTrunk.end(), [this](Bone bone) { return is_said(bone); });
         if (chain.empty() || is_any_said) {
@@ -221,33 +211,6 @@ class Finder {
     }
 
  private:
-    Expected<std::size_t> joint_called(const JointLabel& label) const {
-        std::optional<std::size_t> found;
-        std::vector<std::string_view> names;
-        for (std::size_t joint = 0; joint < clip_.joints.size(); ++joint) {
-            names.push_back(clip_.joints[joint].name);
-            if (clip_.joints[joint].name != label.joint) {
-                continue;
-            }
-            if (found) {
-                return fail(fmt::format("{}: two joints are called \"{}\"",
-                                        kBoneNames[index_of(label.bone)],
-                                        printable(label.joint, kLongest)));
-            }
-            found = joint;
-        }
-        if (found) {
-            return *found;
-        }
-        const std::string_view nearest = nearest_name(label.joint, names);
-        return fail(fmt::format(
-            "{}: the clip has no joint \"{}\"{}",
-            kBoneNames[index_of(label.bone)],
-            printable(label.joint, kLongest),
-            nearest.empty() ? "; it has " + shown_joints(clip_)
-                            : fmt::format("; did you mean \"{}\"?", printable(nearest, kLongest))));
-    }
-
     bool has(Bone bone) const { return found_.mapping.joint(bone).has_value(); }
     int joint(Bone bone) const { return static_cast<int>(*found_.mapping.joint(bone)); }
     bool is_said(Bone bone) const { return found_.confidence[index_of(bone)] == kSaid; }
@@ -275,15 +238,70 @@ class Finder {
         found_.confidence[index_of(bone)] = 0.0;
     }
 
-    /// The nearest bone above that is found.
-    std::optional<Bone> nearest_above(Bone bone) const {
-        while (bone != Bone::hips) {
-            bone = static_cast<Bone>(kBoneParents[index_of(bone)]);
-            if (has(bone)) {
-                return bone;
+    /// Names that put arms where the legs are, or legs where the arms are, are not believed.
+    void drop_lies(const BonesByShape& shape) {
+        int fitting = 0;
+        int lying = 0;
+        for (const Bone bone : all_bones()) {
+            if (!is_sided(bone) || !has(bone) || is_said(bone)) {
+                continue;
+            }
+            const bool is_of_leg = std::min(bone, mirrored(bone)) <= Bone::left_toes;
+            for (const Side side : kSides) {
+                fitting +=
+                    is_in(bone,
+                          shape.joint(on_side(
+                              is_of_leg ? Bone::left_upper_leg : Bone::left_upper_arm, side)));
+                lying += is_in(bone,
+                               shape.joint(on_side(
+                                   is_of_leg ? Bone::left_upper_arm : Bone::left_upper_leg, side)));
             }
         }
-        return std::nullopt;
+        if (lying <= fitting) {
+            return;
+        }
+        for (const Bone bone : all_bones()) {
+            if (!is_said(bone)) {
+                drop(bone);
+            }
+        }
+        has_names_ = false;
+        found_.notes.emplace_back("its names put arms where its legs are; they are not believed");
+    }
+
+    /// Says so where names and shape disagree about half of the limbs' bones.
+    void note_doubts(const BonesByShape& shape) {
+        constexpr int kMany = 6;  // of 12
+        int doubts = 0;
+        std::optional<Bone> first;
+        for (const Bone left : {Bone::left_upper_leg,
+                                Bone::left_lower_leg,
+                                Bone::left_foot,
+                                Bone::left_upper_arm,
+                                Bone::left_lower_arm,
+                                Bone::left_hand}) {
+            for (const Side side : kSides) {
+                const Bone bone = on_side(left, side);
+                if (found_.confidence[index_of(bone)] == kOneOfTwo) {
+                    ++doubts;
+                    first = first.value_or(bone);
+                }
+            }
+        }
+        if (doubts >= kMany) {
+            found_.notes.push_back(fmt::format(
+                "names and lengths disagree about {} bones: {} is \"{}\" by name and \"{}\" by "
+                "length; the names are believed",
+                doubts,
+                kBoneNames[index_of(*first)],
+                name_of(*first),
+                shown_joint(clip_, static_cast<std::size_t>(shape.joint(*first)))));
+        }
+    }
+
+    /// Whether a bone's joint is a limb's first one or below it.
+    int is_in(Bone bone, int limb) const {
+        return joint(bone) == limb || tree_.is_below(joint(bone), limb) ? 1 : 0;
     }
 
     /// Where there is no whole body: two limbs that may be legs.
@@ -338,8 +356,7 @@ class Finder {
             for (const Bone limb : {Bone::left_upper_leg, Bone::left_upper_arm}) {
                 for (const Side side : kSides) {
                     const int top = shape.joint(on_side(limb, side));
-                    if (is_sided(bone) && has(bone) &&
-                        (joint(bone) == top || tree_.is_below(joint(bone), top))) {
+                    if (is_sided(bone) && has(bone) && is_in(bone, top) != 0) {
                         const bool is_left = bone < mirrored(bone);
                         agreement += is_left == (side == Side::left) ? 1 : -1;
                     }
@@ -347,35 +364,6 @@ class Finder {
             }
         }
         return agreement;
-    }
-
-    /// The joints that bend between the hips and what carries both arms, from below: twist joints
-    /// and those without a length of their own are passed over.
-    std::vector<int> trunk_chain() const {
-        if (!has(Bone::hips) || !has(Bone::left_upper_arm) || !has(Bone::right_upper_arm)) {
-            return {};
-        }
-        int top = tree_.carrier_of(joint(Bone::left_upper_arm), joint(Bone::right_upper_arm));
-        if (has(Bone::neck) && top == joint(Bone::neck)) {  // Biped hangs the arms on the neck
-            top = tree_.parent(top);
-        }
-        std::vector<int> all;
-        double length = 0.0;
-        for (int at = top; at >= 0 && at != joint(Bone::hips); at = tree_.parent(at)) {
-            all.insert(all.begin(), at);
-            length += body_.length(at);
-        }
-        constexpr double kNoLength = 1e-3;  // of the trunk
-        std::vector<int> chain;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const bool is_last = i + 1 == all.size();
-            const auto words = words_of_name(clip_.joints[static_cast<std::size_t>(all[i])].name);
-            const bool is_twist = std::find(words.begin(), words.end(), "twist") != words.end();
-            if (is_last || (!is_twist && body_.length(all[i + 1]) > kNoLength * length)) {
-                chain.push_back(all[i]);
-            }
-        }
-        return chain;
     }
 
     const MotionClip& clip_;
@@ -390,7 +378,7 @@ class Finder {
 
 Expected<JointSearch> search_joints(const MotionClip& clip) {
     Finder finder(clip);
-    if (const Expected<void> taken = finder.take_labels(clip.labels); !taken) {
+    if (const Expected<void> taken = finder.take_labels(); !taken) {
         return fail(taken.error());
     }
     finder.take_names();

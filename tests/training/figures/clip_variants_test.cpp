@@ -41,8 +41,7 @@ class ClipVariants : public ::testing::Test {
         const auto path = folder_.path() / "clip.bvh";
         EXPECT_TRUE(write_file(path, bvh_text(clip)));
         std::vector<std::string> warnings;
-        const auto loaded =
-            load_clip(path, {.frames_per_second = {}, .metres_per_unit = {}}, warnings);
+        const auto loaded = load_clip(path, ClipUnits{}, warnings);
         EXPECT_TRUE(loaded) << loaded.error().message;
         const std::vector<FigureRepeat> repeats = {{0, {5.0, 18.0, 31.0}}, {0, {31.0, 44.0, 57.0}}};
         FigureTrainingOptions options;

@@ -168,6 +168,24 @@ TEST(JointFinder, swaps_arms_that_hang_on_the_other_legs_side) {
     EXPECT_TRUE(has_note(*found, "the arms are swapped"));
 }
 
+TEST(JointFinder, does_not_believe_names_that_put_arms_on_legs) {
+    DancingClip dancing;
+    std::map<Bone, std::string> names;
+    for (const auto& [leg, arm] : {std::pair{Bone::left_upper_leg, Bone::left_upper_arm},
+                                   std::pair{Bone::left_lower_leg, Bone::left_lower_arm},
+                                   std::pair{Bone::left_foot, Bone::left_hand}}) {
+        for (const Side side : kSides) {
+            names[on_side(leg, side)] = kBoneNames[index_of(on_side(arm, side))];
+            names[on_side(arm, side)] = kBoneNames[index_of(on_side(leg, side))];
+        }
+    }
+    dancing.rename(names);
+    const auto found = find_joints(dancing.clip);
+    ASSERT_TRUE(found) << found.error().message;
+    expect_all_found(dancing, *found, true);
+    EXPECT_TRUE(has_note(*found, "they are not believed"));
+}
+
 TEST(JointFinder, does_as_a_person_says) {
     DancingClip dancing({.helpers = true});
     dancing.clip.labels = {.joints = {{Bone::left_lower_arm, "twist"}}, .source = "--joint"};
