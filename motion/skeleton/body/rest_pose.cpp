@@ -19,8 +19,8 @@ constexpr double kDegree = glm::pi<double>() / 180.0;
 
 // A rest pose was drawn, not recorded, where both sides agree that well.
 constexpr double kSymmetric = 3.0 * kDegree;
-// The trunk of a measured skeleton leans aside by that much (CMU).
-constexpr double kAside = 6.0 * kDegree;
+// Single bones of a measured skeleton (CMU) are as crooked as that, though it was drawn.
+constexpr double kAside = 10.0 * kDegree;
 // A drawn pelvis leans by no more against the mannequin's.
 constexpr double kPelvisLean = 35.0 * kDegree;
 // A frame that points a bone so is taken for right: skeletons differ by that much.
@@ -171,16 +171,19 @@ class RestFinder {
             if (!one || !other) {
                 continue;
             }
-            are_mirrored = are_mirrored && are_mirror_images(figure, *one, *other);
+            are_mirrored = are_mirrored && are_mirror_images(figure, *one, *other, kSymmetric);
             are_along_axes =
                 are_along_axes && is_along_axis(one->in_joint) && is_along_axis(other->in_joint);
         }
         return are_mirrored || are_along_axes;
     }
 
-    static bool are_mirror_images(const glm::dquat& figure, const BoneAim& a, const BoneAim& b) {
+    static bool are_mirror_images(const glm::dquat& figure,
+                                  const BoneAim& a,
+                                  const BoneAim& b,
+                                  double bound) {
         const glm::dvec3 there = figure * b.in_joint;
-        return angle_between(figure * a.in_joint, {-there.x, there.y, there.z}) < kSymmetric;
+        return angle_between(figure * a.in_joint, {-there.x, there.y, there.z}) < bound;
     }
 
     glm::dquat of_bone(Bone bone) {
@@ -245,7 +248,7 @@ class RestFinder {
             return std::abs(here.x) < kAside;
         }
         const auto there = body_.has(other) ? bone_aim(body_, other) : std::nullopt;
-        return there && are_mirror_images(figure_, aim, *there);
+        return there && are_mirror_images(figure_, aim, *there, kAside);
     }
 
     // From where a bone was drawn to the T-pose: about one axis of the figure where that does it

@@ -139,12 +139,16 @@ FoundSize without_usual_unit(const PosedBody& body, const glm::dvec3& up, double
     };
     const auto fall = free_fall(body.clip(), body.mapping(), up, height);
     const double falling = fall ? kGravity / *fall : 0.0;
-    const bool is_cmu = height * kCmuUnit > kShortest && height * kCmuUnit < kTallest;
-    // Jumps are good to a fifth or so.
-    if (is_cmu && (!fall || std::abs(std::log(falling / kCmuUnit)) < 0.25)) {
+    const auto makes_person = [&](double metres) {
+        return height * metres > kShortest && height * metres < kTallest;
+    };
+    // Jumps are good to a fifth or so; hops that are none make no person.
+    constexpr double kAgree = 0.25;
+    const bool does_fall = makes_person(falling);
+    if (makes_person(kCmuUnit) && (!does_fall || std::abs(std::log(falling / kCmuUnit)) < kAgree)) {
         return take(kCmuUnit, 0.55, "no usual unit, but that of CMU's skeletons");
     }
-    if (height * falling > kShortest && height * falling < kTallest) {
+    if (does_fall) {
         return take(falling, 0.55, "no usual unit, but bodies in the air fall so fast");
     }
     return take(

@@ -13,6 +13,8 @@
 #include "tests/render/gl/pictures.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace raks::render {
 namespace {
@@ -100,6 +102,42 @@ TEST(ClipFigures, without_any_height_are_drawn_all_the_same) {
     ASSERT_FALSE(figure.shape.vertices.empty());
     for (const StickVertex& vertex : figure.shape.vertices) {
         EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z));
+    }
+}
+
+/// Our own dance, its root turned as programs with z up write it.
+motion::MotionClip dance_with_z_up() {
+    motion::MotionClip clip = clip_of("../dance/own_dance.bvh");
+    const glm::dquat turn =
+        glm::angleAxis(glm::half_pi<double>(), glm::dvec3(1.0, 0.0, 0.0));  // y to z
+    for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
+        const std::size_t root = frame * clip.joints.size();
+        clip.positions[root] = turn * clip.positions[root];
+        clip.rotations[root] = turn * clip.rotations[root];
+    }
+    return clip;
+}
+
+TEST(ClipFigures, of_a_body_stand_whichever_axis_is_up) {
+    const auto figures = ClipFigures::create(dance_with_z_up());
+    ASSERT_TRUE(figures) << figures.error().message;
+    ASSERT_TRUE(figures->body());
+    EXPECT_NEAR(figures->size(), 1.0F, 0.05F);
+    const ClipFigure figure = figures->at(0);
+    const auto& places = figure.landmarks;
+    EXPECT_GT(places.position(motion::Bone::head).y, 1.2F) << "metres over the floor";
+    EXPECT_LT(places.position(motion::Bone::left_foot).y, 0.3F);
+    const glm::vec3 across = places.position(motion::Bone::left_upper_leg) -
+                             places.position(motion::Bone::right_upper_leg);
+    EXPECT_GT(across.x, 0.0F) << "faces us: its left is on our right";
+}
+
+TEST(ClipFigures, fit_the_picture_also_in_a_wrong_unit) {
+    const auto figures = ClipFigures::create(dance_with_z_up(), {.metres_per_unit = 1.0});
+    ASSERT_TRUE(figures) << figures.error().message;
+    EXPECT_LE(figures->size(), 2.5F) << "a camera has to get back far enough";
+    for (const StickVertex& vertex : figures->at(0).shape.vertices) {
+        EXPECT_LT(vertex.position.y, 2.5F * 1.9F);
     }
 }
 
