@@ -112,6 +112,15 @@ std::string found_lines(const motion::DiscoveredClips& found) {
         if (repeats.repeats.empty()) {
             continue;
         }
+        if (repeats.repeats.size() == 1) {
+            text += fmt::format("{}: one phrase of {} beats ({:.2f} s, {:.0f} BPM) from {:.1f} s\n",
+                                printable(clip.take),
+                                repeats.beats,
+                                repeats.seconds,
+                                repeats.tempo(),
+                                repeats.repeats[0].start / clip.clip.frames_per_second);
+            continue;
+        }
         std::string starts;
         for (const motion::FoundRepeat& repeat : repeats.repeats) {
             if (repeat.is_good) {

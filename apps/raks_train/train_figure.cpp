@@ -144,6 +144,18 @@ Expected<void> take_counts(const TrainFigureArguments& arguments,
 
 namespace {
 
+// States for figures of the length found: as many a beat as a captured figure of 8 beats has; of a
+// phrase danced once more, for there the states are the motion itself.
+int states_of(const motion::DiscoveredClips& found, bool is_once) {
+    constexpr int kCaptured = 2;
+    constexpr int kOnce = 4;
+    int beats = 8;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        beats = std::max(beats, clip.found.beats);
+    }
+    return (is_once ? kOnce : kCaptured) * beats;
+}
+
 // --propose: writes what is found, and learns nothing.
 ExitCode propose_figure(const TrainFigureArguments& arguments) {
     std::vector<Path> inputs = inputs_of(arguments);
@@ -212,6 +224,9 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             return fail(found.error());
         }
         plan.found = found->labels(plan);
+        if (arguments.states == 0) {
+            plan.states = states_of(*found, arguments.once);
+        }
         print_text(found_lines(*found));
     }
     const auto report = motion::train_figure(plan);

@@ -25,7 +25,7 @@
 namespace raks::render {
 namespace {
 
-constexpr std::size_t kMostJoints = 1000;
+constexpr std::size_t kMostClipJoints = 1000;
 constexpr double kMostFrames = 2'000'000;  // 9 hours at 60 a second
 constexpr double kMostNodeFrames = 4e7;    // what sampling may cost: some ten seconds
 constexpr double kLargestPlace = 1e6;      // metres
@@ -70,8 +70,8 @@ class ModelMotion {
         if (nodes_.empty() || !has_keys_) {
             return fail("its clip moves no joints");
         }
-        if (nodes_.size() > kMostJoints) {
-            return fail(fmt::format("has {} joints; at most {}", nodes_.size(), kMostJoints));
+        if (nodes_.size() > kMostClipJoints) {
+            return fail(fmt::format("has {} joints; at most {}", nodes_.size(), kMostClipJoints));
         }
         clip_.frames_per_second = rate.value_or(rate_of_keys());
         const double span = static_cast<double>(end_) - static_cast<double>(begin_);

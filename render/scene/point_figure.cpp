@@ -104,7 +104,7 @@ Expected<PointFigures> PointFigures::create(const motion::PointClip& clip,
     }
     PointFigures figures(clip, frame);
     std::vector<double> lowest;
-    std::vector<double> heights;
+    std::vector<double> highest;
     glm::dvec3 low(1e300);
     glm::dvec3 high(-1e300);
     for (std::size_t i = 0; i < clip.frame_count; ++i) {
@@ -121,7 +121,7 @@ Expected<PointFigures> PointFigures::create(const motion::PointClip& clip,
         }
         if (least <= most) {
             lowest.push_back(least);
-            heights.push_back(most - least);
+            highest.push_back(most);
         }
     }
     if (lowest.empty()) {
@@ -129,9 +129,11 @@ Expected<PointFigures> PointFigures::create(const motion::PointClip& clip,
     }
     const auto rank =
         static_cast<std::size_t>(kFloorPointShare * static_cast<double>(lowest.size()));
-    figures.origin_ = {0.5 * (low.x + high.x), nth_value(lowest, rank), 0.5 * (low.z + high.z)};
-    figures.size_ = static_cast<float>(
-        std::clamp(nth_value(heights, heights.size() / 2) / kFigureHeight, 0.05, 20.0));
+    const double floor = nth_value(lowest, rank);
+    // As high as they reach but for single stray points: hands over the head, too, are framed.
+    const double top = nth_value(highest, highest.size() - 1 - rank);
+    figures.origin_ = {0.5 * (low.x + high.x), floor, 0.5 * (low.z + high.z)};
+    figures.size_ = static_cast<float>(std::clamp((top - floor) / kFigureHeight, 0.05, 20.0));
     return figures;
 }
 
@@ -143,8 +145,8 @@ ClipFigure PointFigures::at(std::size_t frame) const {
     ClipFigure figure;
     StickBuilder builder(figure.shape, 0, StickPart::middle);
     builder.set_tint(1.0F);
-    // Smaller than a joint: there may be many.
-    const float radius = 0.6F * kStickJointRadius * size_;
+    // Smaller than a joint where there are many.
+    const float radius = (clip_->names.size() < 100 ? 0.9F : 0.6F) * kStickJointRadius * size_;
     glm::dvec3 sum(0.0);
     double count = 0.0;
     for (std::size_t point = 0; point < clip_->names.size(); ++point) {

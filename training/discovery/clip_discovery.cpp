@@ -58,6 +58,8 @@ Expected<DiscoveredClips> discover_clips(const FigureTrainingPlan& plan,
         Expected<TrainingClip> clip = load_clip(path,
                                                 {.reading = plan.reading,
                                                  .metres_per_unit = plan.metres_per_unit,
+                                                 .height = plan.height,
+                                                 .up = plan.up,
                                                  .joints = plan.joints},
                                                 discovered.warnings);
         if (!clip) {

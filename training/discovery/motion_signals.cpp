@@ -5,16 +5,14 @@
 #include <cmath>
 #include <span>
 
-#include "base/statistics.hpp"
 #include "motion/figures/clip_conditioning.hpp"
 #include "motion/figures/foot_events.hpp"
 
 namespace raks::motion {
 namespace {
 
-constexpr double kLowPass = 8.0;      // Hz: above the steps of a fast dance, below half the rate
-constexpr double kHipsLowPass = 6.0;  // Hz: of the acceleration, which noise dominates above it
-constexpr double kFastFoot = 1.5;     // m/s: faster is as fast, so that a few kicks do not decide
+constexpr double kLowPass = 8.0;   // Hz: above the steps of a fast dance, below half the rate
+constexpr double kFastFoot = 1.5;  // m/s: faster is as fast, so that a few kicks do not decide
 // A small step ends in a landing, too: the limit that figures are judged by (0.6) misses counts 2
 // and 6 of the lead's salsa.
 constexpr double kSmallStep = 0.35;  // m/s
@@ -115,20 +113,6 @@ void scale(std::array<std::vector<double>, kColumns>& columns) {
     }
 }
 
-/// 99th percentile of the acceleration downwards, m/s^2.
-double fall_of(std::span<const Pose> poses, double rate) {
-    std::vector<double> height;
-    for (const Pose& pose : poses) {
-        height.push_back(static_cast<double>(pose.hips_position.y));
-    }
-    height = filtered(height, low_pass_taps(kHipsLowPass, rate));
-    std::vector<double> down;
-    for (std::size_t i = 1; i + 1 < height.size(); ++i) {
-        down.push_back(-(height[i + 1] - 2.0 * height[i] + height[i - 1]) * rate * rate);
-    }
-    return percentile(std::move(down), 0.99);
-}
-
 /// The largest speed in the columns of the hands and feet, m/s.
 double movement_of(const std::array<std::vector<double>, kColumns>& columns) {
     double most = 0.0;
@@ -163,7 +147,6 @@ MotionSignals motion_signals(const TrainingClip& clip) {
     }
     MotionSignals signals;
     signals.movement = movement_of(columns);
-    signals.fall = fall_of(poses, rate);
     scale(columns);
     signals.track.columns = kColumns;
     for (std::size_t row = 0; row < rows; ++row) {

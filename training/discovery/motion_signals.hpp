@@ -13,10 +13,6 @@ namespace raks::motion {
 /// Rows of MotionSignals a second.
 inline constexpr double kSignalRate = 30.0;
 
-/// A MotionSignals::fall above this, m/s^2, is no fall: jumps give 10 to 13 (free fall and the
-/// filter's edges), the salsa clips at twice their true rate more than 15, at the true rate 4.
-inline constexpr double kFastestFall = 14.0;
-
 /// A foot that came to rest after a step.
 struct SignalLanding {
     double row = 0.0;        ///< when, in rows of the signals, fractional
@@ -31,7 +27,6 @@ struct MotionSignals {
     FeatureTrack track;                   ///< rows x 12
     std::vector<SignalLanding> landings;  ///< of both feet, rising
     double movement = 0.0;                ///< the largest speed of a foot or a hand, m/s
-    double fall = 0.0;  ///< 99th percentile of the hips' acceleration downwards, m/s^2
 
     [[nodiscard]] double seconds() const noexcept {
         return static_cast<double>(track.rows()) / kSignalRate;

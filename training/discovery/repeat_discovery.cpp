@@ -17,17 +17,20 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kShortest = 0.6;    // seconds: two beats of the fastest dance
-constexpr double kStill = 0.05;      // m/s: what the noise of a capture moves a foot or hand
-constexpr double kNoRepeats = 0.02;  // share of variance explained: less is chance
-constexpr int kRounds = 4;           // of borders and template, until count 1 is sought
-constexpr int kLastRounds = 2;       // of them after that
-constexpr int kMostBeats = 64;       // of one figure
-constexpr double kUsualBeat = 0.5;   // seconds, where the motion has no beat
-constexpr double kMoving = 0.15;     // of the fastest change of the signals: less is waiting
-constexpr double kBarLine = 0.1;     // weight of repeats that begin on bar lines
-constexpr double kOffBeat = 0.3;     // beats: later or earlier steps are said
-constexpr double kKeepsBeat = 0.4;   // resultant of the starts' beat phases: less is another song
+constexpr double kShortest = 0.6;         // seconds: two beats of the fastest dance
+constexpr double kStill = 0.05;           // m/s: what the noise of a capture moves a foot or hand
+constexpr double kNoRepeats = 0.02;       // share of variance explained: less is chance
+constexpr double kStretch = 9.0;          // seconds, of a clip that repeats in a part of it
+constexpr double kStretchRepeats = 0.25;  // share explained in it: many stretches are tried
+constexpr int kRounds = 4;                // of borders and template, until count 1 is sought
+constexpr int kLastRounds = 2;            // of them after that
+constexpr int kMostBeats = 64;            // of one figure
+constexpr double kFastestDance = 260.0;   // BPM
+constexpr double kUsualBeat = 0.5;        // seconds, where the motion has no beat
+constexpr double kMoving = 0.15;          // of the fastest change of the signals: less is waiting
+constexpr double kBarLine = 0.1;          // weight of repeats that begin on bar lines
+constexpr double kOffBeat = 0.3;          // beats: later or earlier steps are said
+constexpr double kKeepsBeat = 0.4;  // resultant of the starts' beat phases: less is another song
 constexpr double kSureConfidence = 0.9;  // what training asks for
 
 double frame_of(double row, const TrainingClip& clip) {
@@ -49,12 +52,15 @@ Expected<void> check_motion(const TrainingClip& clip, const MotionSignals& signa
     return {};
 }
 
-void warn_of_rate(const MotionSignals& signals, FoundRepeats& found) {
-    if (signals.fall > kFastestFall) {
-        found.warnings.push_back(
-            fmt::format("the hips fall at {:.0f} m/s^2, faster than anything falls: is the frame "
-                        "rate right? (--fps)",
-                        signals.fall));
+/// Of a dance this fast the rate is likelier wrong than the dancer that quick.
+void warn_of_rate(FoundRepeats& found) {
+    if (found.tempo() > kFastestDance) {
+        found.warnings.push_back(fmt::format(
+            "its repeats of {} beats last {:.2f} s, {:.0f} BPM, faster than people dance: "
+            "is the frame rate right? (--fps)",
+            found.beats,
+            found.seconds,
+            found.tempo()));
     }
 }
 
@@ -107,9 +113,7 @@ class RepeatSearch {
     RepeatSearch(const TrainingClip& clip,
                  const DiscoveryOptions& options,
                  const MotionSignals& signals)
-        : clip_(clip), options_(options), signals_(signals) {
-        warn_of_rate(signals, found_);
-    }
+        : clip_(clip), options_(options), signals_(signals) {}
 
     Expected<FoundRepeats> run() {
         if (options_.music) {
@@ -123,14 +127,17 @@ class RepeatSearch {
         if (!period) {
             return fail(period.error());
         }
-        if (!*period || (**period).explained < kNoRepeats) {
-            return none();
+        std::vector<RepeatSpan> repeats;
+        if (*period && (**period).explained >= kNoRepeats) {
+            found_.explained = (**period).explained;
+            repeats = refined(signals_.track,
+                              folded_template(signals_.track, (**period).rows),
+                              (**period).rows,
+                              kRounds);
         }
-        found_.explained = (**period).explained;
-        std::vector<RepeatSpan> repeats = refined(signals_.track,
-                                                  folded_template(signals_.track, (**period).rows),
-                                                  (**period).rows,
-                                                  kRounds);
+        if (repeats.size() < 2) {
+            repeats = repeats_of_a_stretch();
+        }
         if (repeats.size() < 2) {
             return none();
         }
@@ -145,6 +152,7 @@ class RepeatSearch {
         if (found_.repeats.empty()) {
             return none();
         }
+        warn_of_rate(found_);
         return std::move(found_);
     }
 
@@ -155,17 +163,54 @@ class RepeatSearch {
         return std::move(found_);
     }
 
+    /// A clip of many figures may repeat in one stretch alone: the repeats like those of the
+    /// stretch that repeats best.
+    std::vector<RepeatSpan> repeats_of_a_stretch() {
+        const FeatureTrack& track = signals_.track;
+        const auto length = static_cast<std::size_t>(kStretch * kSignalRate);
+        std::optional<RepeatPeriod> best;
+        FeatureTrack stretch;
+        for (std::size_t start = 0; start + length < track.rows(); start += length / 6) {
+            const auto first =
+                track.values.begin() + static_cast<std::ptrdiff_t>(start * track.columns);
+            const auto count = static_cast<std::ptrdiff_t>(length * track.columns);
+            const FeatureTrack part{track.columns, {first, first + count}};
+            const auto period = best_period(part, search());
+            if (period && period->explained > (best ? best->explained : kStretchRepeats)) {
+                best = period;
+                stretch = part;
+            }
+        }
+        if (!best) {
+            return {};
+        }
+        found_.explained = best->explained;
+        const auto cycles =
+            refined(stretch, folded_template(stretch, best->rows), best->rows, kRounds);
+        return cycles.size() < 2
+                   ? cycles
+                   : refined(
+                         track, template_of(stretch, cycles), median_length(cycles), kLastRounds);
+    }
+
+    /// What music allows: whole half bars.
+    [[nodiscard]] PeriodSearch search() const {
+        PeriodSearch search;
+        if (beats_) {
+            search.is_allowed = [this](double seconds) {
+                return beats_->whole_beats(seconds, options_.beats, options_.beats_per_bar) > 0;
+            };
+        }
+        return search;
+    }
+
     /// With music only whole half bars; an error where the motion clearly repeats otherwise.
     Expected<std::optional<RepeatPeriod>> period_of_repeats() const {
-        PeriodSearch search;
-        const auto any = best_period(signals_.track, search);
+        const auto any = best_period(signals_.track);
         if (!beats_) {
             return any;
         }
-        search.is_allowed = [this](double seconds) {
-            return beats_->whole_beats(seconds, options_.beats, options_.beats_per_bar) > 0;
-        };
-        const auto allowed = best_period(signals_.track, search);
+        const auto allowed = best_period(signals_.track, search());
         if (any && any->explained > kNoRepeats &&
             (!allowed || any->explained > 2.0 * allowed->explained + kNoRepeats)) {
             const double seconds = any->rows / kSignalRate;
@@ -337,7 +382,6 @@ Expected<FoundRepeats> whole_phrase(const TrainingClip& clip, const DiscoveryOpt
         return fail(std::move(sound.error()));
     }
     FoundRepeats found;
-    warn_of_rate(signals, found);
     const auto [first, last] = moving_rows(signals.track);
     double start = first / kSignalRate;
     const double end = last / kSignalRate;

@@ -40,11 +40,16 @@ PosedSkeleton::PosedSkeleton(const MotionClip& clip)
             reach_[at] = std::max(reach_[at], glm::length(*end));
         }
         for (const int child : tree_.children(*joint)) {
-            const double way = length(child) + reach(child);
+            // What travels about the world below a fixed root is on no bone.
+            constexpr double kTravels = 0.1;
+            const bool is_bone = looseness(child, *joint) < kTravels;
+            const double way = (is_bone ? length(child) : 0.0) + reach(child);
             second = std::max(second, std::min(way, reach_[at]));
             reach_[at] = std::max(reach_[at], way);
         }
-        size_ = std::max(size_, reach_[at] + second);
+        if (second > 0.0) {
+            size_ = std::max(size_, reach_[at] + second);
+        }
     }
 }
 

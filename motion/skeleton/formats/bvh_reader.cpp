@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/bvh_hierarchy.hpp"
+#include "motion/skeleton/formats/frame_rate.hpp"
 #include "motion/skeleton/formats/motion_limits.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +76,12 @@ class MotionReader {
         if (options_.frames_per_second) {
             clip_.frames_per_second = *options_.frames_per_second;
         } else if (is_good) {
-            clip_.frames_per_second = 1.0 / seconds;
+            const WrittenRate written = rate_of_frame_time(
+                text->substr(0, static_cast<std::size_t>(parsed.ptr - text->data())), seconds);
+            clip_.frames_per_second = written.frames_per_second;
+            if (!written.warning.empty()) {
+                clip_.warnings.push_back(written.warning);
+            }
         } else {
             return text_.fault(
                 line,

@@ -77,17 +77,26 @@ Model rig() {
     const glm::quat lying = glm::angleAxis(glm::radians(-90.0F), glm::vec3(1, 0, 0));
     const glm::quat aside = glm::angleAxis(glm::radians(90.0F), glm::vec3(0, 0, 1));
     model.nodes.resize(5);
-    model.nodes[0] = {
-        .name = "Armature", .children = {1, 4}, .rotation = lying, .scale = glm::vec3(0.01F)};
+    const auto node = [&](int index, const char* name, int parent) -> ModelNode& {
+        ModelNode& made = model.nodes[static_cast<std::size_t>(index)];
+        made.name = name;
+        made.parent = parent;
+        if (parent >= 0) {
+            model.nodes[static_cast<std::size_t>(parent)].children.push_back(index);
+        }
+        return made;
+    };
+    ModelNode& armature = node(0, "Armature", -1);
+    armature.rotation = lying;
+    armature.scale = glm::vec3(0.01F);
     // z is up in the armature.
-    model.nodes[1] = {.name = "Hips",
-                      .parent = 0,
-                      .children = {2},
-                      .translation = {0, 0, 100},
-                      .rotation = aside};
-    model.nodes[2] = {.name = "Spine", .parent = 1, .children = {3}, .translation = {0, 0, 50}};
-    model.nodes[3] = {.name = "Spine_end", .parent = 2, .translation = {0, 0, 25}};
-    model.nodes[4] = {.name = "Body", .parent = 0, .mesh = 0, .skin = 0};
+    ModelNode& hips = node(1, "Hips", 0);
+    hips.translation = {0, 0, 100};
+    hips.rotation = aside;
+    node(2, "Spine", 1).translation = {0, 0, 50};
+    node(3, "Spine_end", 2).translation = {0, 0, 25};
+    ModelNode& body = node(4, "Body", 0);
+    body.mesh = body.skin = 0;
     model.roots = {0};
     model.meshes.resize(1);
     model.skins.push_back({{1, 2}, {}});

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/skeleton/bvh.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/training/discovery/stepping_dance.hpp"
 
@@ -62,6 +62,43 @@ TEST_F(ClipDiscovery, a_clip_taken_once_is_learnt_as_one_phrase) {
     const auto report = train_figure(learn);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->model.repeats, 1);
+}
+
+FigureModel learnt_at(double rate) {
+    test::SteppingDance dance;
+    dance.frames_per_second = rate;
+    std::vector<FigureRepeat> repeats;
+    for (int r = 0; r < dance.repeats; ++r) {
+        FigureRepeat repeat;
+        for (int b = 0; b <= 8; ++b) {
+            repeat.beat_frames.push_back((dance.count_1(r) + dance.beat * b) * rate);
+        }
+        repeats.push_back(repeat);
+    }
+    FigureTrainingOptions options;
+    options.name = "basic";
+    options.dance = "mambo";
+    const std::vector<TrainingClip> clips = {test::stepping_clip(dance)};
+    return train_figure(clips, repeats, options).value().model;
+}
+
+TEST(FrameRates, the_same_motion_gives_nearly_the_same_figure) {
+    const FigureModel at_60 = learnt_at(60.0);
+    for (const double rate : {24.0, 29.97, 119.88, 120.0, 240.0}) {
+        const FigureModel other = learnt_at(rate);
+        const std::vector<FigureState>& states = at_60.part(Part::lower).states;
+        for (std::size_t k = 0; k < states.size(); ++k) {
+            for (std::size_t d = 0; d < states[k].mean.size(); ++d) {
+                EXPECT_NEAR(other.part(Part::lower).states[k].mean[d], states[k].mean[d], 0.01)
+                    << rate << " state " << k << " feature " << d;
+            }
+        }
+        // At 24 the filter of 10 Hz lies near half the rate.
+        EXPECT_NEAR(other.peak_toe_speed, at_60.peak_toe_speed, 0.04 * at_60.peak_toe_speed)
+            << rate;
+        EXPECT_NEAR(other.learnt_tempo.bpm(), at_60.learnt_tempo.bpm(), 0.1) << rate;
+        EXPECT_NEAR(other.net_displacement.y, at_60.net_displacement.y, 0.005) << rate;
+    }
 }
 
 }  // namespace

@@ -59,21 +59,5 @@ TEST(MotionSignals, a_fast_sine_of_the_feet_is_not_heard_as_a_slow_one) {
     EXPECT_LT(motion_signals(clip).movement, 0.02);
 }
 
-TEST(MotionSignals, a_body_that_falls_twice_as_fast_as_it_can_is_seen) {
-    // A hop of 20 cm, at the right rate and at twice the right one.
-    TrainingClip clip;
-    for (int f = 0; f < 600; ++f) {
-        const double t = std::fmod(f / 60.0, 0.5) - 0.2;
-        const double height = std::abs(t) < 0.2 ? 0.2 - 4.9 * t * t : 0.0;
-        Pose pose;
-        pose.hips_position = {0.0F, static_cast<float>(0.9 + height), 0.0F};
-        clip.poses.push_back(pose);
-        clip.feet.push_back({});
-    }
-    EXPECT_LT(motion_signals(clip).fall, kFastestFall);
-    clip.frames_per_second = 120.0;
-    EXPECT_GT(motion_signals(clip).fall, kFastestFall);
-}
-
 }  // namespace
 }  // namespace raks::motion::motion_signals_test

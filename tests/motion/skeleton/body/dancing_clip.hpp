@@ -22,6 +22,7 @@ struct Extras {
     bool helpers = false;  ///< sockets over the thighs, twist joints on and in limbs, end joints
     bool feet = true;      ///< ankles have toes
     bool arms = true;      ///< and a head
+    bool root = false;     ///< hips travel about the world below a root that stays
     double turned = 1.0;   ///< -1: a mirrored body, whose left lies on its right
 };
 
@@ -33,6 +34,9 @@ struct DancingClip {
     explicit DancingClip(const Extras& extras = {}) {
         clip.frames_per_second = 30.0;
         clip.frame_count = 24;
+        if (extras.root) {
+            add("root", 0, {0, 0, 0});
+        }
         const std::size_t hips = add(Bone::hips, 0, {0, 93, 0});
         if (extras.arms) {
             add_trunk(hips, extras);
@@ -131,6 +135,9 @@ struct DancingClip {
         for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
             for (const ClipJoint& joint : clip.joints) {
                 clip.positions.push_back(joint.offset);
+            }
+            if (const std::size_t hips = joints.at(Bone::hips); hips > 0) {
+                clip.positions[frame * count + hips].z += 40.0 * static_cast<double>(frame);
             }
             const double phase = 2.0 * M_PI * static_cast<double>(frame) / 12.0;
             for (const auto& [bone, joint] : joints) {

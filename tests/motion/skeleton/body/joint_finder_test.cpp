@@ -79,6 +79,7 @@ TEST(JointFinder, needs_no_names) {
                                             body_test::Extras{.fingers = true},
                                             body_test::Extras{.helpers = true},
                                             body_test::Extras{.fingers = true, .helpers = true},
+                                            body_test::Extras{.root = true},
                                             body_test::Extras{.feet = false}}) {
         DancingClip dancing(extras);
         dancing.forget_names();
