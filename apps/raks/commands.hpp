@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/terminal/body_options.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"
@@ -228,12 +229,14 @@ struct SheetArguments {
 /// Arguments of `raks stick`.
 struct StickArguments {
     engine::Settings settings;         ///< of the files and the options
-    Path input;                        ///< .bvh, or a written dance (.toml)
+    Path input;                        ///< a motion file, or a written dance (.toml)
+    Path skeleton;                     ///< .asf of an .amc; empty: looked for beside it
     Path output;                       ///< .png: front and side views; empty: a window
     std::string figure;                ///< of a written dance; empty: all
     double bpm = 0.0;                  ///< to dance it at; 0: as it is written
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's
-    double scale = 0.0;                ///< metres per unit; 0: guessed
+    BodyArguments body;                ///< how the clip's body lies in its file
+    bool as_json = false;              ///< says what was found instead of drawing
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
     Path joint_map;                    ///< which joint is which bone; empty: none
     std::vector<std::string> joints;   ///< the same, line by line: "leftUpperArm=bip_l_arm"

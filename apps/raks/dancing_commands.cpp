@@ -7,7 +7,7 @@ namespace raks::apps {
 namespace {
 
 constexpr const char* kMotionHelp =
-    "clip to perform instead of a dance: X.vrma, X.bvh, X.glb, or X.glb#NAME of several";
+    "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...";
 
 // Several commands have it; the names are checked with the settings.
 void add_formation_option(CLI::App& app, engine::Settings& settings) {
@@ -184,14 +184,15 @@ void add_sheet(RaksCommands& table) {
 
 void add_stick(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "stick", "play a motion clip as a stick figure", stick);
-    app->add_option("file", a->input, "X.bvh, or a written dance X.toml")->required();
+    app->add_option("file", a->input, "a motion file, or a written dance X.toml")->required();
     app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
     app->add_option("--figure", a->figure, "figure of the dance");
     app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(in_range(30.0, 300.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
-    app->add_option("--scale", a->scale, "metres per unit of the file")
-        ->check(in_range(1e-4, 10.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of a clip that is .amc");
+    add_body_options(*app, a->body);
+    app->add_flag("--json", a->as_json, "what was found of the clip, as one JSON document");
     app->add_option_function<std::int64_t>(
            "--frame",
            [arguments = a](const std::int64_t& frame) {

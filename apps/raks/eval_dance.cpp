@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/reports/eval_dance_report.hpp"
@@ -201,9 +202,7 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
     if (!arguments.faults.empty()) {
         plan.faults = arguments.faults;
     }
-    if (arguments.fps > 0.0) {
-        plan.frames_per_second = arguments.fps;
-    }
+    plan.reading = clip_reading(arguments.fps);
     const auto takes = motion::measure_captured(plan, figures);
     if (!takes) {
         return fail(takes.error());

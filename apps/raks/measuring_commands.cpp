@@ -56,7 +56,7 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
     auto* const pose =
         app->add_option("--pose", a->pose, "posture: FILE.json, or FILE.json#NAME of several");
     auto* const motion = app->add_option(
-        "--motion", a->motion, "clip: X.vrma, X.bvh, X.glb, or X.glb#NAME of several");
+        "--motion", a->motion, "clip: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...");
     pose->excludes(motion);
     app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
     app->add_option("-o,--out", a->output, "X.png: a picture; X.obj: the mesh; X.tsv: joints")
@@ -134,7 +134,8 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     app->add_option(
            "--against", a->against, "music files: how dances to them follow their loudness")
         ->excludes(trial);
-    auto* clips = app->add_option("--clips", a->clips, "folder of people's clips, TAKE.bvh");
+    auto* clips = app->add_option(
+        "--clips", a->clips, "folder of people's clips, TAKE.bvh or of another format");
     auto* labels =
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
     // Clips are useless without labels, and labels without clips.

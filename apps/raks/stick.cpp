@@ -2,8 +2,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
+#include "apps/raks/clip_document.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
@@ -12,8 +15,9 @@
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/show/clip_transport.hpp"
-#include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/text_lines.hpp"
+#include "render/scene/point_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -23,47 +27,73 @@ namespace {
 // Poses of a sheet over a whole clip: two rows of twelve.
 constexpr std::size_t kSheetPoses = 24;
 
-// Errors: another kind of file, or those of the reader. Warnings of the reader are printed.
-Expected<motion::MotionClip> read_clip(const StickArguments& arguments) {
-    if (motion::lower(arguments.input.extension().string()) != ".bvh") {
-        return fail(arguments.input.string() +
-                    ": cannot read this kind of motion; known: .bvh, .toml");
-    }
-    motion::BvhOptions options;
-    if (arguments.fps > 0.0) {
-        options.frames_per_second = arguments.fps;
-    }
-    auto clip = motion::read_bvh(arguments.input, options);
-    if (clip) {
-        for (const std::string& warning : clip->warnings) {
+// Errors: those of the reader, whose warnings are printed.
+Expected<motion::MotionFile> read_file_of(const StickArguments& arguments) {
+    auto file =
+        motion::read_motion(arguments.input, clip_reading(arguments.fps, arguments.skeleton));
+    if (file) {
+        for (const std::string& warning :
+             std::visit([](const auto& clip) { return clip.warnings; }, *file)) {
             say(arguments.input.string() + ": " + warning);
         }
     }
-    return clip;
+    return file;
 }
 
-// Metres a unit: as given, else guessed from the body's height, with a line that says so.
-double scale_of(const motion::MotionClip& clip, const StickArguments& arguments) {
-    if (arguments.scale > 0.0) {
-        return arguments.scale;
+// What was taken in doubt, and the unit where nobody gave it.
+void say_what_was_found(const motion::MotionClip& clip,
+                        const render::ClipFigures& figures,
+                        const StickArguments& arguments) {
+    const std::string name = arguments.input.string();
+    for (const std::string& note : figures.notes()) {
+        say(name + ": " + note);
     }
-    const double guess = motion::guess_metres_per_unit(clip);
-    say(fmt::format("{}: one unit is taken for {:.4g} m, by the body's height (--scale sets it)",
-                    arguments.input.string(),
-                    guess));
-    return guess;
+    if (!arguments.body.has_unit() && !clip.metres_per_unit) {
+        const auto& body = figures.body();
+        say(fmt::format("{}: one unit is taken for {}: {} (--unit, --height or --scale sets it)",
+                        name,
+                        motion::unit_name(figures.metres_per_unit()),
+                        body ? body->size.reason : "by its height at rest"));
+    }
+}
+
+// What of points is as given, as the file says, or else guessed, with a line that says so.
+render::PointFrame frame_of(const motion::PointClip& clip, const StickArguments& arguments) {
+    auto guess = render::guess_point_frame(clip);
+    const motion::BodyOptions given = arguments.body.options();
+    if (given.metres_per_unit) {
+        guess.frame.metres_per_unit = *given.metres_per_unit;
+        guess.is_unit_guessed = false;
+    }
+    if (given.up) {
+        guess.frame.up = *given.up;
+        guess.is_up_guessed = false;
+    }
+    const std::string name = arguments.input.string();
+    if (guess.is_unit_guessed) {
+        say(fmt::format(
+            "{}: one unit is taken for {:.4g} m, by the points' height (--scale sets it)",
+            name,
+            guess.frame.metres_per_unit));
+    }
+    if (guess.is_up_guessed) {
+        say(fmt::format("{}: {} is taken for up, as the points reach further along it",
+                        name,
+                        guess.frame.up.z > 0.5 ? "z" : "y"));
+    }
+    return guess.frame;
 }
 
 // The frames to draw: the one asked for, or up to 24 evenly over the clip, with the first and last.
-std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
+std::vector<std::size_t> frames_to_draw(std::size_t frame_count,
                                         const std::optional<std::size_t>& frame) {
     if (frame) {
         return {*frame};
     }
-    const std::size_t count = std::min(kSheetPoses, clip.frame_count);
+    const std::size_t count = std::min(kSheetPoses, frame_count);
     std::vector<std::size_t> frames;
     for (std::size_t i = 0; i < count; ++i) {
-        frames.push_back(count == 1 ? 0 : i * (clip.frame_count - 1) / (count - 1));
+        frames.push_back(count == 1 ? 0 : i * (frame_count - 1) / (count - 1));
     }
     return frames;
 }
@@ -72,7 +102,7 @@ std::vector<std::size_t> frames_to_draw(const motion::MotionClip& clip,
 Expected<void> write_frames(const Path& output,
                             const engine::Look& look,
                             const std::string& name,
-                            const render::ClipFigures& figures,
+                            const render::RecordedFigures& figures,
                             const std::vector<std::size_t>& frames) {
     render::PoseSheetConfig config;
     // A single frame is drawn large.
@@ -113,10 +143,87 @@ Expected<void> write_frames(const Path& output,
 }
 
 // The transport of the window: paused at the frame asked for, or playing.
-engine::ClipTransport transport_of(const motion::MotionClip& clip,
-                                   const std::optional<std::size_t>& frame) {
+template <typename Clip>
+engine::ClipTransport transport_of(const Clip& clip, const std::optional<std::size_t>& frame) {
     return frame ? engine::ClipTransport(clip.frame_count, clip.frames_per_second, *frame)
                  : engine::ClipTransport(clip.frame_count, clip.frames_per_second);
+}
+
+// Plays what a recording shows in the window, or where there is none draws a sheet.
+template <typename Clip>
+Expected<void> show(const StickArguments& arguments,
+                    const Clip& clip,
+                    const render::RecordedFigures& figures) {
+    const std::string name = arguments.input.string();
+    auto look = open_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    look->scene.camera = framed(look->scene.camera, figures);
+    // Without a display the sheet takes the window's place.
+    Path output = arguments.output;
+    if (output.empty()) {
+        auto window = open_stick_window(name, *look, arguments.settings);
+        if (window) {
+            ClipContent content(figures, transport_of(clip, arguments.frame));
+            return show_in_window(std::move(*window), *look, content);
+        }
+        output = arguments.input.stem();
+        output += ".png";
+        say("no window (" + window.error().message + "): drawing a sheet");
+    }
+    return write_frames(output,
+                        *look,
+                        arguments.input.filename().string(),
+                        figures,
+                        frames_to_draw(clip.frame_count, arguments.frame));
+}
+
+// Frames count from 0.
+template <typename Clip>
+Expected<void> check_frame(const StickArguments& arguments, const Clip& clip) {
+    if (arguments.frame && *arguments.frame >= clip.frame_count) {
+        return fail(fmt::format("{}: has no frame {}, its last is {}",
+                                arguments.input.string(),
+                                *arguments.frame,
+                                clip.frame_count - 1));
+    }
+    return {};
+}
+
+// A skeleton as a stick figure.
+Expected<void> show_recording(const StickArguments& arguments, motion::MotionClip& clip) {
+    if (auto found = look_for_joints(arguments, clip); !found) {
+        return found;
+    }
+    if (!arguments.joints_output.empty()) {
+        return write_joints(arguments, clip);
+    }
+    const auto figures = render::ClipFigures::create(clip, arguments.body.options());
+    if (!figures) {
+        return fail(arguments.input.string() + ": " + figures.error().message);
+    }
+    say_what_was_found(clip, *figures, arguments);
+    if (arguments.as_json) {
+        print_text(clip_document(arguments.input.string(), clip, *figures) + "\n");
+        return {};
+    }
+    return show(arguments, clip, *figures);
+}
+
+// Points as they are.
+Expected<void> show_recording(const StickArguments& arguments, const motion::PointClip& clip) {
+    if (!arguments.joints_output.empty() || !arguments.joints.empty() ||
+        !arguments.joint_map.empty() || arguments.as_json) {
+        return fail(arguments.input.string() +
+                    ": holds points, which have no joints; leave --joint, --joints, "
+                    "--write-joints and --json out");
+    }
+    const auto figures = render::PointFigures::create(clip, frame_of(clip, arguments));
+    if (!figures) {
+        return fail(arguments.input.string() + ": " + figures.error().message);
+    }
+    return show(arguments, clip, *figures);
 }
 
 }  // namespace
@@ -130,56 +237,18 @@ ExitCode stick(const StickArguments& arguments) {
     if (motion::lower(arguments.input.extension().string()) == ".toml") {
         return stick_dance(arguments);
     }
-    auto clip = read_clip(arguments);
-    if (!clip) {
-        return fail(clip.error());
+    auto file = read_file_of(arguments);
+    if (!file) {
+        return fail(file.error());
     }
-    const std::string name = arguments.input.string();
-    // Frames count from 0.
-    if (arguments.frame && *arguments.frame >= clip->frame_count) {
-        return fail(fmt::format(
-            "{}: has no frame {}, its last is {}", name, *arguments.frame, clip->frame_count - 1));
-    }
-    if (auto found = look_for_joints(arguments, *clip); !found) {
-        return fail(found.error());
-    }
-    if (!arguments.joints_output.empty()) {
-        if (auto written = write_joints(arguments, *clip); !written) {
-            return fail(written.error());
-        }
-        return kExitDone;
-    }
-    const auto figures = render::ClipFigures::create(*clip, scale_of(*clip, arguments));
-    if (!figures) {
-        return fail(name + ": " + figures.error().message);
-    }
-    auto look = open_look(arguments.settings);
-    if (!look) {
-        return fail(look.error());
-    }
-    look->scene.camera = framed(look->scene.camera, *figures);
-    // Without a display the sheet takes the window's place.
-    Path output = arguments.output;
-    if (output.empty()) {
-        auto window = open_stick_window(name, *look, arguments.settings);
-        if (window) {
-            ClipContent content(*figures, transport_of(*clip, arguments.frame));
-            if (auto shown = show_in_window(std::move(*window), *look, content); !shown) {
-                return fail(shown.error());
-            }
-            return kExitDone;
-        }
-        output = arguments.input.stem();
-        output += ".png";
-        say("no window (" + window.error().message + "): drawing a sheet");
-    }
-    if (auto written = write_frames(output,
-                                    *look,
-                                    arguments.input.filename().string(),
-                                    *figures,
-                                    frames_to_draw(*clip, arguments.frame));
-        !written) {
-        return fail(written.error());
+    const auto shown = std::visit(
+        [&](auto& clip) {
+            auto checked = check_frame(arguments, clip);
+            return checked ? show_recording(arguments, clip) : checked;
+        },
+        *file);
+    if (!shown) {
+        return fail(shown.error());
     }
     return kExitDone;
 }

@@ -42,7 +42,7 @@ Expected<void> show_in_window(render::Window window,
 
 // Distance and height are the mannequin's, scaled by the body's size and kept in the camera's
 // range.
-render::Camera framed(render::Camera camera, const render::ClipFigures& figures) {
+render::Camera framed(render::Camera camera, const render::RecordedFigures& figures) {
     constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
     constexpr float kMiddle = 1.0F;
     camera.distance = std::clamp(

@@ -27,13 +27,13 @@ namespace raks::apps {
 
 /// The camera at such a distance and height that a standing body with its hands up, of any size,
 /// fills a tile or a window.
-[[nodiscard]] render::Camera framed(render::Camera camera, const render::ClipFigures& figures);
+[[nodiscard]] render::Camera framed(render::Camera camera, const render::RecordedFigures& figures);
 
 /// Shows a clip of recorded motion, frame by frame; the camera follows the body.
 class ClipContent final : public engine::WindowContent {
  public:
     /// `figures` must outlive this.
-    ClipContent(const render::ClipFigures& figures, engine::ClipTransport transport)
+    ClipContent(const render::RecordedFigures& figures, engine::ClipTransport transport)
         : figures_(figures), transport_(std::move(transport)) {}
 
     /// The transport's keys.
@@ -49,7 +49,7 @@ class ClipContent final : public engine::WindowContent {
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
 
  private:
-    const render::ClipFigures& figures_;
+    const render::RecordedFigures& figures_;
     engine::ClipTransport transport_;
     std::string status_;
 };

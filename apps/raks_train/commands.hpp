@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/terminal/body_options.hpp"
 #include "apps/terminal/command_table.hpp"
 #include "training/figures/training_plan.hpp"
 
@@ -11,13 +12,14 @@ namespace raks::apps {
 
 /// Labelled motion to learn from: what the two commands on figures have in common.
 struct LabelledClips {
-    std::vector<Path> clips;      ///< BVH files, or one folder of them
+    std::vector<Path> clips;      ///< motion files, or one folder of them
     Path labels;                  ///< TSV
     Path counts;                  ///< TSV; empty: counts lie evenly between a label's start and end
     Path faults;                  ///< TSV of capture faults; empty: none
     std::string split;            ///< of the labels' splits, the one to use; empty: all labels
     double min_confidence = 0.9;  ///< [0, 1]; labels below it are not used
     double fps = 0.0;             ///< frames a second where the file is wrong; 0: the file's
+    Path skeleton;                ///< .asf of the clips that are .amc; empty: looked for
 };
 
 /// Arguments of `raks train figure`.
@@ -31,7 +33,7 @@ struct TrainFigureArguments : LabelledClips {
     motion::DanceRole role = motion::DanceRole::lead;  ///< whose motion in the clips
     /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
-    double scale = 0.0;               ///< metres per unit; 0: guessed
+    BodyArguments body;               ///< how bodies lie in the clips' files
     Path joint_map;                   ///< which joint of the clips is which bone; empty: none
     std::vector<std::string> joints;  ///< the same, line by line: "leftUpperArm=bip_l_arm"
     int states = 0;                   ///< 0: 16, of a written dance as many as its figures need
@@ -39,6 +41,9 @@ struct TrainFigureArguments : LabelledClips {
     motion::CovarianceKind covariance = motion::CovarianceKind::tied;  ///< of the states' Gaussians
     /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;
+    Path propose;        ///< .tsv that the repeats found are written to; empty: learnt at once
+    int beats = 0;       ///< of one repeat in clips without labels; 0: found
+    bool once = false;   ///< learns the clip as one phrase
     std::string source;  ///< "cmu": the model carries CMU's acknowledgement
     std::string output;  ///< X.json, a folder, or the name of a dance; empty: the dance's name
 };

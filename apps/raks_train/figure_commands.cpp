@@ -7,10 +7,19 @@ namespace raks::apps {
 void add_train_figure(CommandTable& table) {
     auto [app, a] =
         table.add(table.app(), "figure", "learn a dance figure from motion", train_figure);
-    app->add_option("clips", a->clips, "BVH files, a folder of them, or a written X.toml")
+    app->add_option("clips", a->clips, "motion files, a folder of them, or a written X.toml")
         ->required();
-    // Not required here, since a written dance has no labels; train_figure() asks for them.
-    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    // Not required: a written dance has no labels, and repeats are found where nobody labelled
+    // them.
+    auto* labels =
+        app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
+    auto* propose =
+        app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
+    app->add_option("--beats", a->beats, "of one repeat, where there are no labels")
+        ->check(in_range(1, 64));
+    app->add_flag("--once", a->once, "the clip is one phrase, which does not repeat")
+        ->excludes(labels)
+        ->excludes(propose);
     auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
     auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
     // Counts come from a table or from the music's beats, never from both.
@@ -35,9 +44,8 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
-    // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
-    app->add_option("--scale", a->scale, "metres per unit of the file")
-        ->check(in_range(1e-4, 10.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
+    add_body_options(*app, a->body);
     app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
         ->allow_extra_args(false);
     app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");
@@ -65,7 +73,7 @@ void add_train_figure(CommandTable& table) {
 
 void add_train_report(CommandTable& table) {
     auto [app, a] = table.add(table.app(), "report", "show how figures are learnt", train_report);
-    app->add_option("clips", a->clips, "BVH files, or a folder of them")->required();
+    app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
     app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")->required();
     app->add_option("--counts", a->counts, "TSV: when each count falls");
     app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
@@ -87,6 +95,7 @@ void add_train_report(CommandTable& table) {
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
+    app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
     // One scale for both dancers, or the lead's and the follow's.
     app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
         ->expected(1, 2)

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
 #include "apps/raks_train/destination.hpp"
+#include "apps/raks_train/found_repeats.hpp"
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
@@ -36,9 +38,10 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
     plan.role = arguments.role;
     plan.features = arguments.features;
     // 0 and empty stand for "not given" in the arguments.
-    if (arguments.scale > 0.0) {
-        plan.metres_per_unit = arguments.scale;
-    }
+    const motion::BodyOptions body = arguments.body.options();
+    plan.up = body.up;
+    plan.metres_per_unit = body.metres_per_unit;
+    plan.height = body.height;
     if (arguments.states > 0) {
         plan.states = arguments.states;
     }
@@ -66,9 +69,7 @@ motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
     }
     plan.split = clips.split;
     plan.min_confidence = clips.min_confidence;
-    if (clips.fps > 0.0) {
-        plan.frames_per_second = clips.fps;
-    }
+    plan.reading = clip_reading(clips.fps, clips.skeleton);
     return plan;
 }
 
@@ -80,8 +81,8 @@ std::vector<Path> inputs_of(const LabelledClips& clips) {
 
 namespace {
 
-// The dance of a figure from clips: as --extends or --dance say, as the output is called, or the
-// first of the list, in this order.
+// The dance of a figure from clips: as --extends or --dance say, as the output is called, as the
+// clip is called if it has no labels, or the first of the list, in this order.
 Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
     // A figure that extends a dance is of that dance, whatever --dance says.
     for (const std::string& told : {arguments.extends, arguments.dance}) {
@@ -91,6 +92,14 @@ Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
     }
     if (is_dance_name(arguments.output)) {
         return arguments.output;
+    }
+    // A clip that nobody labelled is a new dance, by its own name.
+    if (arguments.labels.empty()) {
+        const std::string name = arguments.clips.front().stem().string();
+        if (!is_dance_name(name)) {
+            return fail(fmt::format("give the dance a name: -o NAME ({} can be none)", name));
+        }
+        return name;
     }
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
@@ -133,15 +142,48 @@ Expected<void> take_counts(const TrainFigureArguments& arguments,
 
 }  // namespace
 
+namespace {
+
+// States for figures of the length found: as many a beat as a captured figure of 8 beats has; of a
+// phrase danced once more, for there the states are the motion itself.
+int states_of(const motion::DiscoveredClips& found, bool is_once) {
+    constexpr int kCaptured = 2;
+    constexpr int kOnce = 4;
+    int beats = 8;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        beats = std::max(beats, clip.found.beats);
+    }
+    return (is_once ? kOnce : kCaptured) * beats;
+}
+
+// --propose: writes what is found, and learns nothing.
+ExitCode propose_figure(const TrainFigureArguments& arguments) {
+    std::vector<Path> inputs = inputs_of(arguments);
+    inputs.push_back(arguments.music);
+    if (auto checked = check_output(arguments.propose, inputs); !checked) {
+        return fail(std::move(checked.error()));
+    }
+    motion::FigureTrainingPlan plan = figure_plan(arguments, arguments.dance);
+    if (!arguments.music.empty()) {
+        if (auto taken = take_counts(arguments, plan); !taken) {
+            return fail(std::move(taken.error()));
+        }
+    }
+    if (auto done = propose(arguments, plan); !done) {
+        return fail(std::move(done.error()));
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
 ExitCode train_figure(const TrainFigureArguments& arguments) {
     // A .toml is a written dance, all else is captured.
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
         return train_authored(arguments);
     }
-    // Not required by the parser, as a written dance needs none.
-    if (arguments.labels.empty()) {
-        say("clips need --labels X.tsv: where each figure begins and ends");
-        return kExitUsage;
+    if (!arguments.propose.empty()) {
+        return propose_figure(arguments);
     }
     const auto dance = dance_of(arguments);
     if (!dance) {
@@ -175,6 +217,17 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));
         }
+    }
+    if (arguments.labels.empty()) {
+        const auto found = found_in_clips(arguments, plan);
+        if (!found) {
+            return fail(found.error());
+        }
+        plan.found = found->labels(plan);
+        if (arguments.states == 0) {
+            plan.states = states_of(*found, arguments.once);
+        }
+        print_text(found_lines(*found));
     }
     const auto report = motion::train_figure(plan);
     if (!report) {

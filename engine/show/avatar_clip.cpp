@@ -8,14 +8,15 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
-#include "base/suggest.hpp"
 #include "engine/show/avatar_model.hpp"
-#include "motion/skeleton/formats/bvh.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
+#include "motion/skeleton/formats/motion_format.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/joint_tree.hpp"
 #include "render/avatar/node_clip.hpp"
 #include "render/import/bind_places.hpp"
+#include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/standing_figure.hpp"
 
@@ -25,34 +26,6 @@ namespace raks::engine {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// "FILE#NAME" apart; a file that has the whole as its name wins.
-std::pair<fs::path, std::string> parts_of(const std::string& argument) {
-    const std::size_t at = argument.rfind('#');
-    if (at == std::string::npos || is_there(argument)) {
-        return {argument, ""};
-    }
-    return {argument.substr(0, at), argument.substr(at + 1)};
-}
-
-/// The clip of a name, or the first. Errors: there is none.
-Expected<std::size_t> find_clip(const render::Model& model, const std::string& name) {
-    if (model.animations.empty()) {
-        return fail("there is no clip in it");
-    }
-    if (name.empty()) {
-        return 0;
-    }
-    std::vector<std::string_view> names;
-    for (const render::ModelAnimation& animation : model.animations) {
-        names.push_back(animation.name);
-    }
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        return fail(unknown_name("clip", name, names));
-    }
-    return static_cast<std::size_t>(found - names.begin());
-}
 
 /// The T-pose of a figure that stands.
 render::BoneRest rest_of(const render::Model& model, const render::StandingFigure& figure) {
@@ -77,11 +50,8 @@ class AvatarClipReader {
     AvatarClipReader(fs::path file, std::string name, const glm::vec3& hips)
         : file_(std::move(file)), name_(std::move(name)), hips_(hips) {}
 
-    Expected<AvatarClip> read_bvh() const {
-        if (!name_.empty()) {
-            return fail("a BVH holds one clip, which has no name");
-        }
-        const auto clip = motion::read_bvh(file_);
+    Expected<AvatarClip> read_skeleton() const {
+        const auto clip = motion::read_skeleton_motion(file_, {});
         if (!clip) {
             return fail(clip.error());
         }
@@ -125,7 +95,7 @@ class AvatarClipReader {
     Expected<AvatarClip> clip_of(render::Model& model,
                                  const fs::path& labels,
                                  const std::shared_ptr<render::Model>& keeper) const {
-        const auto index = find_clip(model, name_);
+        const auto index = render::find_animation(model, name_);
         if (!index) {
             return fail(index.error());
         }
@@ -184,16 +154,25 @@ class AvatarClipReader {
     glm::vec3 hips_;
 };
 
-fs::path AvatarClip::file_of(const std::string& argument) { return parts_of(argument).first; }
+fs::path AvatarClip::file_of(const std::string& argument) {
+    return motion::clip_address(argument).file;
+}
 
 Expected<AvatarClip> AvatarClip::load(const std::string& argument,
                                       const glm::vec3& hips,
                                       const fs::path& avatar,
                                       const fs::path& labels) {
-    const auto [file, name] = parts_of(argument);
+    const auto [file, name] = motion::clip_address(argument);
     const AvatarClipReader reader(file, name, hips);
-    if (file.extension() == ".bvh") {
-        return reader.read_bvh();
+    // Faces and VRM's own bones are more than a motion clip holds, so models have a way of their
+    // own.
+    const auto start = read_file_start(file, motion::kMotionFormatBytes);
+    if (!start) {
+        return fail(start.error());
+    }
+    if (motion::motion_format(*start, file) != motion::MotionFormat::model) {
+        return name.empty() ? reader.read_skeleton()
+                            : fail(file.string() + ": holds one clip, which has no name");
     }
     std::error_code ignored;
     const bool is_own = !avatar.empty() && fs::equivalent(file, avatar, ignored);

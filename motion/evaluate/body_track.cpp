@@ -50,14 +50,18 @@ BodyTrack body_track(const Skeleton& skeleton,
     return track;
 }
 
-Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit) {
-    const Expected<HumanoidMapping> mapping = map_humanoid(clip);
-    if (!mapping) {
-        return tl::unexpected(mapping.error());
+Expected<BodyTrack> body_track(const MotionClip& recorded, double metres_per_unit) {
+    BodyOptions options;
+    options.metres_per_unit = metres_per_unit;
+    const Expected<StandingClip> standing = stand(recorded, options);
+    if (!standing) {
+        return tl::unexpected(standing.error());
     }
+    const MotionClip& clip = standing->clip;
+    const HumanoidMapping& mapping = standing->body.mapping();
     // Metrics sum over all 19 joints, so none may be missing.
     for (const Bone bone : kBodyBones) {
-        if (!mapping->joint(bone)) {
+        if (!mapping.joint(bone)) {
             return fail("the body has no " + std::string(kBoneNames[index_of(bone)]) +
                         ", which the metrics need");
         }
@@ -69,12 +73,12 @@ Expected<BodyTrack> body_track(const MotionClip& clip, double metres_per_unit) {
     for (std::size_t f = 0; f < clip.frame_count; ++f) {
         const ClipWorldPose world = world_pose(clip, f);
         for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
-            track.joints[f][j] = metres_per_unit * world.positions[*mapping->joint(kBodyBones[j])];
+            track.joints[f][j] = metres_per_unit * world.positions[*mapping.joint(kBodyBones[j])];
         }
         for (const Side side : kSides) {
             const std::size_t s = static_cast<std::size_t>(side);
-            track.feet[f][s] = {metres_per_unit * world.positions[*mapping->joint(kFeet[s])],
-                                metres_per_unit * end_of_foot(clip, *mapping, world, side)};
+            track.feet[f][s] = {metres_per_unit * world.positions[*mapping.joint(kFeet[s])],
+                                metres_per_unit * end_of_foot(clip, mapping, world, side)};
         }
     }
     return track;

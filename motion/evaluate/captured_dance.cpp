@@ -6,8 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/file.hpp"
 #include "motion/figures/label_tables.hpp"
-#include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/motion_format.hpp"
 
 namespace raks::motion {
 namespace {
@@ -157,6 +158,23 @@ void add_counts(const FigureLabel& label,
     }
 }
 
+// The clip of a take: its BVH, or where there is none the first file of another format.
+std::filesystem::path file_of(const std::string& take, const std::filesystem::path& folder) {
+    const std::filesystem::path usual = folder / (take + ".bvh");
+    if (is_there(usual)) {
+        return usual;
+    }
+    // A folder that cannot be listed is reported by the reader of the file.
+    const auto listed = list_folder(folder);
+    for (const std::filesystem::path& path :
+         listed ? *listed : std::vector<std::filesystem::path>()) {
+        if (path.stem() == take && is_clip_name(path)) {
+            return path;
+        }
+    }
+    return usual;
+}
+
 // Measures one take.
 CapturedDance measured(const BodyTrack& track,
                        const std::string& take,
@@ -198,14 +216,14 @@ Expected<std::vector<CapturedDance>> measure_captured(const CapturedDancePlan& p
     }
     std::vector<CapturedDance> dances;
     for (const auto& [take, labels] : tables->labels) {
-        const auto clip =
-            read_bvh(plan.folder / (take + ".bvh"), {.frames_per_second = plan.frames_per_second});
+        const std::filesystem::path file = file_of(take, plan.folder);
+        const auto clip = read_skeleton_motion(file, plan.reading);
         if (!clip) {
             return fail(clip.error());
         }
         const auto track = body_track(*clip, plan.metres_per_unit);
         if (!track) {
-            return fail((plan.folder / (take + ".bvh")).string() + ": " + track.error().message);
+            return fail(file.string() + ": " + track.error().message);
         }
         // A take without a single frame that counts has no measures.
         const std::vector<bool> danced = danced_frames(*track, take, labels, tables->faults);

@@ -12,18 +12,19 @@
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
 
 namespace raks::motion {
 
 /// Takes of people and their tables (label_tables.hpp).
 struct CapturedDancePlan {
-    std::filesystem::path folder;  ///< of the clips, TAKE.bvh
+    std::filesystem::path folder;  ///< of the clips: TAKE.bvh, or another format
     std::filesystem::path labels;  ///< table of figures
     /// Table of counts; none: counts are even within a label
     std::optional<std::filesystem::path> counts;
     std::optional<std::filesystem::path> faults;  ///< table of capture faults
     DanceRole role = DanceRole::lead;             ///< whose clips are measured
-    std::optional<double> frames_per_second;      ///< overrides the files'
+    MotionReadOptions reading;                    ///< of the clips; with another rate
     double metres_per_unit = 1.0;                 ///< of the clips
     double min_confidence = 0.7;  ///< of a label, to count as a repeat and for landings
 };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/statistics.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/body/body_finder.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -284,21 +284,23 @@ DynamicsTrack dynamics_track(const Skeleton& skeleton,
     return track_of(places, frames_per_second, stretch);
 }
 
-Expected<DynamicsTrack> dynamics_track(const MotionClip& clip, DanceStretch stretch) {
-    const Expected<HumanoidMapping> mapping = map_humanoid(clip);
-    if (!mapping) {
-        return tl::unexpected(mapping.error());
+Expected<DynamicsTrack> dynamics_track(const MotionClip& recorded, DanceStretch stretch) {
+    const Expected<StandingClip> standing = stand(recorded);
+    if (!standing) {
+        return tl::unexpected(standing.error());
     }
+    const MotionClip& clip = standing->clip;
+    const HumanoidMapping& mapping = standing->body.mapping();
     std::array<std::size_t, kDynamicsBones.size()> joints{};
     std::array<bool, kDynamicsBones.size()> is_tip{};
     for (std::size_t b = 0; b < kDynamicsBones.size(); ++b) {
         const Bone bone = kDynamicsBones[b];
-        auto joint = mapping->joint(bone);
+        auto joint = mapping.joint(bone);
         if (!joint && bone == Bone::upper_chest) {
-            joint = mapping->joint(Bone::chest);
+            joint = mapping.joint(Bone::chest);
         }
         if (!joint && (bone == Bone::left_toes || bone == Bone::right_toes)) {
-            joint = mapping->joint(bone == Bone::left_toes ? Bone::left_foot : Bone::right_foot);
+            joint = mapping.joint(bone == Bone::left_toes ? Bone::left_foot : Bone::right_foot);
             is_tip[b] = true;
         }
         if (!joint) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/skeleton/humanoid.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 
 /// Foot events: contacts and landings of recorded or evaluated motion. A contact is a toe at rest
 /// on the floor; a landing is the moment when a step's speed falls under a limit. The feet passed

@@ -246,6 +246,25 @@ Expected<std::vector<FigureLabel>> parse_labels(std::string_view text,
     return labels;
 }
 
+std::string labels_text(std::span<const FigureLabel> labels, std::span<const std::string> remarks) {
+    std::string text;
+    for (const std::string& remark : remarks) {
+        text += "# " + remark + "\n";
+    }
+    text += "take\trole\tstart\tend\tfigure\tbeats\tconfidence\n";
+    for (const FigureLabel& label : labels) {
+        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n",
+                            label.take,
+                            kRoleNames[static_cast<std::size_t>(label.role)],
+                            label.start,
+                            label.end,
+                            label.figure,
+                            label.beats,
+                            label.confidence);
+    }
+    return text;
+}
+
 Expected<std::vector<CountTime>> parse_counts(std::string_view text, const std::string& name) {
     Table table(text, name);
     // Counts may be common to a pair of takes, lead's and follow's.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,11 @@ enum class BeatsColumn : std::uint8_t { required, optional };
 /// The same from a file of at most 64 MiB. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::vector<FigureLabel>> load_labels(
     const std::filesystem::path& path, BeatsColumn beats = BeatsColumn::required);
+
+/// Labels as a table that parse_labels reads: take, role, start, end, figure, beats, confidence.
+/// Each line of `remarks` becomes a line that readers skip.
+[[nodiscard]] std::string labels_text(std::span<const FigureLabel> labels,
+                                      std::span<const std::string> remarks = {});
 
 /// The moment of one count in a take.
 struct CountTime {

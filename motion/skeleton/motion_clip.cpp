@@ -45,6 +45,9 @@ std::vector<glm::dvec3> rest_positions(const MotionClip& clip) {
 }
 
 double guess_metres_per_unit(const MotionClip& clip) {
+    if (clip.metres_per_unit) {
+        return *clip.metres_per_unit;
+    }
     const std::vector<glm::dvec3> places = rest_positions(clip);
     glm::dvec3 low(1e30);
     glm::dvec3 high(-1e30);

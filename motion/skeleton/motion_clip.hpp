@@ -24,12 +24,14 @@ struct ClipJoint {
 /// Recorded motion of any skeleton, in file units: the content of a motion file. It is meant for
 /// training and tools: double precision, may allocate.
 struct MotionClip {
-    std::vector<ClipJoint> joints;      ///< parents before their children
-    double frames_per_second = 0.0;     ///< > 0 once read
-    std::size_t frame_count = 0;        ///< at least 1 once read
-    std::vector<glm::dquat> rotations;  ///< local; frames x joints, row-major
-    std::vector<glm::dvec3> positions;  ///< in the parent's frame; frames x joints, row-major
-    std::vector<std::string> warnings;  ///< one line each, without the file's name
+    std::vector<ClipJoint> joints;          ///< parents before their children
+    double frames_per_second = 0.0;         ///< > 0 once read
+    std::size_t frame_count = 0;            ///< at least 1 once read
+    std::vector<glm::dquat> rotations;      ///< local; frames x joints, row-major
+    std::vector<glm::dvec3> positions;      ///< in the parent's frame; frames x joints, row-major
+    std::optional<double> metres_per_unit;  ///< where the format or the file says it; > 0
+    std::optional<glm::dvec3> up;           ///< where the format or the file says it; unit length
+    std::vector<std::string> warnings;      ///< one line each, without the file's name
     JointLabels labels;  ///< which joint is which bone, where a person said so; no reader sets it
 
     /// Local rotation of a joint at a frame.
@@ -53,8 +55,9 @@ struct ClipWorldPose {
 /// The rest pose: places of the joints with no rotation and the root at its offset, file units.
 [[nodiscard]] std::vector<glm::dvec3> rest_positions(const MotionClip& clip);
 
-/// Metres per file unit, guessed from the height of the rest pose (tips included): centimetres,
-/// metres or millimetres, the first that gives a body of 0.5 to 2.5 m; otherwise scaled to 1.7 m.
+/// Metres per file unit: what the clip says, else guessed from the height of the rest pose (tips
+/// included): centimetres, metres or millimetres, the first that gives a body of 0.5 to 2.5 m;
+/// otherwise scaled to 1.7 m.
 [[nodiscard]] double guess_metres_per_unit(const MotionClip& clip);
 
 /// Number of frames at the start that are not part of the motion: 1 when frame 0 is a T-pose that

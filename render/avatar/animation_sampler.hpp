@@ -9,6 +9,7 @@
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/face.hpp"
 #include "render/avatar/joint_tree.hpp"
+#include "render/model/animation_channel.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {
@@ -68,9 +69,5 @@ class AnimationSampler {
     std::vector<std::pair<FaceExpression, const AnimationChannel*>> expressions_;
     const AnimationChannel* gaze_ = nullptr;
 };
-
-/// Value of a channel at a time: 3 numbers (translation, scale), 4 (rotation, x y z w, unit), the
-/// first 4 of weights. Threads: any. Real-time: yes.
-[[nodiscard]] glm::vec4 sample_channel(const AnimationChannel& channel, float seconds) noexcept;
 
 }  // namespace raks::render

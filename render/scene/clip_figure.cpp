@@ -15,24 +15,35 @@ namespace raks::render {
 namespace {
 
 constexpr double kMannequinHeight = 1.714;  // metres: what the stick figure's radii belong to
-constexpr float kMinSize = 0.05F;
-constexpr float kMaxSize = 20.0F;
+constexpr float kMinSize = 0.2F;
+constexpr float kMaxSize = 2.5F;  // larger ones the camera cannot go far enough away from
 // Of the body's height: bones shorter than this, so far out in the T-pose, are a hand's.
 constexpr double kFingerLength = 0.065;
 constexpr double kFingersFrom = 0.3;
 constexpr double kMiddle = 0.02;      // of the height: joints nearer to x = 0 have no side
 constexpr double kFloorShare = 0.05;  // of the frames have their lowest joint below the floor
 
-/// Joint places in the rest pose, tips included: how high the body is.
-double rest_height(const motion::MotionClip& clip, const std::vector<glm::dvec3>& rest) {
-    double low = 1e300;
-    double high = -1e300;
-    for (std::size_t joint = 0; joint < rest.size(); ++joint) {
-        const double tip = rest[joint].y + clip.joints[joint].end_site.value_or(glm::dvec3(0.0)).y;
-        low = std::min({low, rest[joint].y, tip});
-        high = std::max({high, rest[joint].y, tip});
+/// The range of all joints' places along an axis, tips included, over a few frames: how high the
+/// body is, as posed.
+double posed_extent(const motion::MotionClip& clip, const glm::dvec3& axis) {
+    constexpr std::size_t kFrames = 40;
+    std::vector<double> extents;
+    const std::size_t count = std::min(kFrames, clip.frame_count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t frame = count == 1 ? 0 : i * (clip.frame_count - 1) / (count - 1);
+        const motion::ClipWorldPose world = motion::world_pose(clip, frame);
+        double low = 1e300;
+        double high = -1e300;
+        for (std::size_t joint = 0; joint < clip.joints.size(); ++joint) {
+            const glm::dvec3 tip = clip.joints[joint].end_site.value_or(glm::dvec3(0.0));
+            const double place = glm::dot(world.positions[joint], axis);
+            const double end = place + glm::dot(world.rotations[joint] * tip, axis);
+            low = std::min({low, place, end});
+            high = std::max({high, place, end});
+        }
+        extents.push_back(high - low);
     }
-    return high - low;
+    return upper_median(std::move(extents));
 }
 
 /// Whether a joint is called "head", with or without a name space or prefix before it.
@@ -43,7 +54,8 @@ bool is_named_head(const std::string& name) {
 
 }  // namespace
 
-Expected<ClipFigures> ClipFigures::create(const motion::MotionClip& clip, double metres_per_unit) {
+Expected<ClipFigures> ClipFigures::create(motion::MotionClip clip,
+                                          const motion::BodyOptions& options) {
     if (clip.frame_count == 0 || clip.joints.empty()) {
         return fail("has no frame to draw");
     }
@@ -51,37 +63,73 @@ Expected<ClipFigures> ClipFigures::create(const motion::MotionClip& clip, double
         return fail("has " + std::to_string(clip.joints.size()) + " joints; at most " +
                     std::to_string(kMaxJoints) + " can be drawn");
     }
-    ClipFigures figures(clip);
-    figures.metres_per_unit_ = metres_per_unit;
-    figures.find_bones();
+    ClipFigures figures(std::move(clip));
+    figures.find_bones(options);
     figures.look_at_rest_pose();
+    figures.face_us();
     figures.find_origin();
     return figures;
 }
 
 /// A humanoid's joints are known by their part in the skeleton; of anything else only the head.
-void ClipFigures::find_bones() {
-    if (auto mapping = motion::map_humanoid(*clip_)) {
-        mapping_ = *mapping;
+void ClipFigures::find_bones(const motion::BodyOptions& options) {
+    auto body = motion::find_body(clip_, options);
+    if (body) {
+        clip_ = motion::stood_up(std::move(clip_), *body);
+        metres_per_unit_ = body->size.metres_per_unit;
+        mapping_ = body->mapping();
         head_ = mapping_.joint(motion::Bone::head);
+        notes_ = body->notes();
+        body_ = std::move(*body);
         return;
     }
-    for (std::size_t joint = 0; joint < clip_->joints.size() && !head_; ++joint) {
-        if (is_named_head(clip_->joints[joint].name)) {
+    stand_up_other(options);
+    for (std::size_t joint = 0; joint < clip_.joints.size() && !head_; ++joint) {
+        if (is_named_head(clip_.joints[joint].name)) {
             head_ = joint;
         }
     }
 }
 
-/// Size, sides and fingers come from the rest pose, where they do not depend on the motion.
+/// What is no humanoid has no feet to go by: as given, or the longer of y and z.
+void ClipFigures::stand_up_other(const motion::BodyOptions& options) {
+    const glm::dvec3 y(0.0, 1.0, 0.0);
+    const glm::dvec3 z(0.0, 0.0, 1.0);
+    constexpr double kClearly = 1.5;
+    const bool is_z_up = posed_extent(clip_, z) > kClearly * posed_extent(clip_, y);
+    const glm::dvec3 up = options.up.value_or(is_z_up ? z : y);
+    if (!options.up && is_z_up) {
+        notes_.push_back("+z is taken for up, along which it is longer (--up sets it)");
+    }
+    metres_per_unit_ = options.metres_per_unit.value_or(motion::guess_metres_per_unit(clip_));
+    const glm::dquat turn = motion::turn_to_y(up);
+    for (std::size_t j = 0; j < clip_.joints.size(); ++j) {
+        if (clip_.joints[j].parent != j) {
+            continue;
+        }
+        clip_.joints[j].offset = turn * clip_.joints[j].offset;
+        for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
+            const std::size_t at = frame * clip_.joints.size() + j;
+            clip_.positions[at] = turn * clip_.positions[at];
+            clip_.rotations[at] = turn * clip_.rotations[at];
+        }
+    }
+}
+
+/// Sides and fingers come from the rest pose, where they do not depend on the motion; the size from
+/// the posed body.
 void ClipFigures::look_at_rest_pose() {
-    const std::vector<glm::dvec3> rest = motion::rest_positions(*clip_);
-    const double height = rest_height(*clip_, rest);
-    size_ = std::clamp(
-        static_cast<float>(height * metres_per_unit_ / kMannequinHeight), kMinSize, kMaxSize);
+    const std::vector<glm::dvec3> rest = motion::rest_positions(clip_);
+    const double extent = posed_extent(clip_, {0.0, 1.0, 0.0});
+    const double height = body_ ? std::max(body_->size.height / metres_per_unit_, extent) : extent;
+    const double size = height * metres_per_unit_ / kMannequinHeight;
+    size_ = std::clamp(static_cast<float>(size), kMinSize, kMaxSize);
+    // Bodies of other sizes are drawn in the size that the camera can still show.
+    drawn_metres_ =
+        size > 0.0 ? metres_per_unit_ * static_cast<double>(size_) / size : metres_per_unit_;
     joints_.resize(rest.size());
     for (std::size_t j = 0; j < rest.size(); ++j) {
-        const std::size_t parent = clip_->joints[j].parent;
+        const std::size_t parent = clip_.joints[j].parent;
         Joint& joint = joints_[j];
         joint.is_small = std::abs(rest[j].x) > kFingersFrom * height &&
                          glm::length(rest[j] - rest[parent]) < kFingerLength * height;
@@ -93,20 +141,47 @@ void ClipFigures::look_at_rest_pose() {
     }
 }
 
+/// Turns the body so that it faces us on the whole, by the line of its hip sockets: the mean of all
+/// frames, or the first where it turns about. A body that nearly does keeps its axes.
+void ClipFigures::face_us() {
+    const auto left = mapping_.joint(motion::Bone::left_upper_leg);
+    const auto right = mapping_.joint(motion::Bone::right_upper_leg);
+    if (!left || !right) {
+        return;
+    }
+    const auto ahead = [&](std::size_t frame) {
+        const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
+        const glm::dvec3 across = world.positions[*left] - world.positions[*right];
+        const glm::dvec3 way(-across.z, 0.0, across.x);
+        return glm::length(way) > 0.0 ? glm::normalize(way) : glm::dvec3(0.0);
+    };
+    glm::dvec3 mean(0.0);
+    for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
+        mean += ahead(frame) / static_cast<double>(clip_.frame_count);
+    }
+    constexpr double kOnTheWhole = 0.4;  // length of a mean of directions
+    const glm::dvec3 face = glm::length(mean) > kOnTheWhole ? mean : ahead(0);
+    const double heading = std::atan2(face.x, face.z);
+    constexpr double kNearly = 0.5;  // radians
+    if (std::abs(heading) > kNearly) {
+        facing_ = glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0));
+    }
+}
+
 /// Under the middle of the root's way, at the height of the floor.
 void ClipFigures::find_origin() {
     glm::dvec3 low(1e300);
     glm::dvec3 high(-1e300);
     std::vector<double> lowest;
-    for (std::size_t frame = 0; frame < clip_->frame_count; ++frame) {
-        const motion::ClipWorldPose world = motion::world_pose(*clip_, frame);
+    for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
+        const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
         low = glm::min(low, world.positions[0]);
         high = glm::max(high, world.positions[0]);
         double least = 1e300;
         for (std::size_t j = 0; j < joints_.size(); ++j) {
             // A foot's end site is lower than its joint; without end site the tip is the joint
             // itself.
-            const glm::dvec3 tip = clip_->joints[j].end_site.value_or(glm::dvec3(0.0));
+            const glm::dvec3 tip = clip_.joints[j].end_site.value_or(glm::dvec3(0.0));
             least = std::min(
                 {least, world.positions[j].y, (world.positions[j] + world.rotations[j] * tip).y});
         }
@@ -116,7 +191,7 @@ void ClipFigures::find_origin() {
     const auto floor_rank =
         static_cast<std::size_t>(kFloorShare * static_cast<double>(lowest.size()));
     origin_ =
-        metres_per_unit_ *
+        drawn_metres_ *
         glm::dvec3(0.5 * (low.x + high.x), nth_value(lowest, floor_rank), 0.5 * (low.z + high.z));
     // Sticks have a thickness: the foot's stands on the floor, not in it.
     origin_.y -= static_cast<double>(kStickTaper * kStickBoneRadius * size_);
@@ -125,7 +200,7 @@ void ClipFigures::find_origin() {
 /// World place on the stage. The subtraction is in doubles: clips may be recorded far from their
 /// origin.
 glm::vec3 ClipFigures::place_of(const glm::dvec3& in_file_units) const {
-    return glm::vec3(metres_per_unit_ * in_file_units - origin_);
+    return glm::vec3(facing_ * (drawn_metres_ * in_file_units - origin_));
 }
 
 /// The sphere of a joint, the stick to its parent, and the stick to its tip where it ends a limb.
@@ -145,13 +220,13 @@ void ClipFigures::add_joint(const motion::ClipWorldPose& world,
         place, glm::vec3(radius), joint.is_small ? 6 : 10, joint.is_small ? 8 : 18);
     builder.set_tint(part == StickPart::middle ? 0.0F : kStickBoneTint);
     const float thickness = size_ * (joint.is_small ? kStickFingerBoneRadius : kStickBoneRadius);
-    if (const std::size_t parent = clip_->joints[j].parent; parent != j) {
+    if (const std::size_t parent = clip_.joints[j].parent; parent != j) {
         builder.add_cone(
             place_of(world.positions[parent]), place, thickness, kStickTaper * thickness);
     }
-    if (clip_->joints[j].end_site && j != head_) {
+    if (clip_.joints[j].end_site && j != head_) {
         const glm::vec3 tip =
-            place_of(world.positions[j] + world.rotations[j] * *clip_->joints[j].end_site);
+            place_of(world.positions[j] + world.rotations[j] * *clip_.joints[j].end_site);
         builder.add_cone(place, tip, thickness, kStickTaper * thickness);
         builder.add_ellipsoid(tip, glm::vec3(kStickTaper * thickness), 6, 10);
     }
@@ -165,7 +240,7 @@ void ClipFigures::add_head(const motion::ClipWorldPose& world, Shape<StickVertex
     const std::size_t first = shape.vertices.size();
     StickBuilder(shape, 0, StickPart::middle).add_head();
     const glm::vec3 place = place_of(world.positions[*head_]);
-    const glm::quat rotation(world.rotations[*head_]);
+    const glm::quat rotation(facing_ * world.rotations[*head_]);
     for (std::size_t i = first; i < shape.vertices.size(); ++i) {
         StickVertex& vertex = shape.vertices[i];
         vertex.position = place + size_ * (rotation * vertex.position);
@@ -189,7 +264,7 @@ motion::WorldPose ClipFigures::landmarks(const motion::ClipWorldPose& world) con
 }
 
 ClipFigure ClipFigures::at(std::size_t frame) const {
-    const motion::ClipWorldPose world = motion::world_pose(*clip_, frame);
+    const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
     ClipFigure figure;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
         if (joints_[j].is_drawn) {

@@ -3,14 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/body/body_finder.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "render/scene/stick_figure.hpp"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 namespace raks::render {
@@ -23,29 +26,51 @@ struct ClipFigure {
     motion::WorldPose landmarks;
 };
 
-/// The stick figure of a clip's own skeleton, of whatever shape: nothing is retargeted. Feet on the
-/// floor (y = 0 at the 5th percentile of the lowest joint's height), the middle of the root's way
-/// at the stage's centre. Joints whose rest place is left or right of the middle have that side's
-/// colour; the head is an egg with a nose where one is known by name. Threads: any (immutable).
-/// Real-time: no.
-class ClipFigures {
+/// What is drawn of a recording, frame by frame.
+class RecordedFigures {
+ public:
+    virtual ~RecordedFigures() = default;
+    /// Its height divided by the mannequin's: the factor for a camera's distance.
+    [[nodiscard]] virtual float size() const noexcept = 0;
+    /// The figure at a frame of the recording; `frame` < its frame count.
+    [[nodiscard]] virtual ClipFigure at(std::size_t frame) const = 0;
+};
+
+/// The stick figure of a clip's own skeleton, of whatever shape: bones keep their lengths. A
+/// humanoid is found as for retargeting (body_finder.hpp): it stands with y up, in metres, on the
+/// whole facing us. Of anything else (an animal, half a body) the longer of y and z is up, and the
+/// unit guessed from the extent of the rest pose. Feet on the floor (y = 0 at the 5th percentile of
+/// the lowest joint's height), the middle of the root's way at the stage's centre. Joints whose
+/// rest place is left or right of the middle have that side's colour; the head is an egg with a
+/// nose where one is known. Threads: any (immutable). Real-time: no.
+class ClipFigures final : public RecordedFigures {
  public:
     /// The most joints that are drawn.
     static constexpr std::size_t kMaxJoints =
         200;  ///< what 16-bit indices of one mesh have room for
 
-    /// `metres_per_unit` > 0. The clip must outlive it. Errors: no frames, more joints than above.
-    [[nodiscard]] static Expected<ClipFigures> create(const motion::MotionClip& clip,
-                                                      double metres_per_unit);
+    /// `options`: what is known of the clip. Errors: no frames, more joints than above.
+    [[nodiscard]] static Expected<ClipFigures> create(motion::MotionClip clip,
+                                                      const motion::BodyOptions& options = {});
 
-    /// Height of the body divided by the mannequin's: the factor for a camera's distance.
-    [[nodiscard]] float size() const noexcept { return size_; }
+    /// The body, where it is a humanoid's.
+    [[nodiscard]] const std::optional<motion::FoundBody>& body() const noexcept { return body_; }
+    /// What was taken in doubt; one line each.
+    [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
+    /// Metres a unit of the file that was taken.
+    [[nodiscard]] double metres_per_unit() const noexcept { return metres_per_unit_; }
+    /// Frames of the clip.
+    [[nodiscard]] std::size_t frames() const noexcept { return clip_.frame_count; }
+
+    /// Height of the body as posed divided by the mannequin's: the factor for a camera's distance.
+    /// A body of absurd size (a wrong unit was given) is drawn as small or large as can be shown.
+    [[nodiscard]] float size() const noexcept override { return size_; }
 
     /// The figure at a frame of the clip; `frame` < the clip's frame count.
-    [[nodiscard]] ClipFigure at(std::size_t frame) const;
+    [[nodiscard]] ClipFigure at(std::size_t frame) const override;
 
  private:
-    explicit ClipFigures(const motion::MotionClip& clip) : clip_(&clip) {}
+    explicit ClipFigures(motion::MotionClip clip) : clip_(std::move(clip)) {}
 
     enum class JointSide : std::uint8_t { middle, left, right };
     struct Joint {
@@ -54,9 +79,11 @@ class ClipFigures {
         JointSide side = JointSide::middle;
     };
 
-    void find_bones();
+    void find_bones(const motion::BodyOptions& options);
+    void stand_up_other(const motion::BodyOptions& options);
     void look_at_rest_pose();
     void find_origin();
+    void face_us();
     [[nodiscard]] glm::vec3 place_of(const glm::dvec3& in_file_units) const;
     void add_joint(const motion::ClipWorldPose& world,
                    std::size_t joint,
@@ -64,13 +91,17 @@ class ClipFigures {
     void add_head(const motion::ClipWorldPose& world, Shape<StickVertex>& shape) const;
     [[nodiscard]] motion::WorldPose landmarks(const motion::ClipWorldPose& world) const;
 
-    const motion::MotionClip* clip_;
+    motion::MotionClip clip_;  // standing
+    std::optional<motion::FoundBody> body_;
+    std::vector<std::string> notes_;
     double metres_per_unit_ = 1.0;
-    float size_ = 1.0F;  // of the body against the mannequin's 1.714 m
+    double drawn_metres_ = 1.0;  // of a unit, for a body of a size that can be shown
+    float size_ = 1.0F;          // of the body against the mannequin's 1.714 m
     std::vector<Joint> joints_;
     std::optional<std::size_t> head_;
-    motion::HumanoidMapping mapping_;  // empty for what is no humanoid
-    glm::dvec3 origin_{};              // of the stage; metres
+    motion::HumanoidMapping mapping_;           // empty for what is no humanoid
+    glm::dvec3 origin_{};                       // of the stage; drawn metres
+    glm::dquat facing_ = {1.0, 0.0, 0.0, 0.0};  // turns the body to us
 };
 
 }  // namespace raks::render

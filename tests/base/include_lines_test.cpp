@@ -78,6 +78,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"training/genre",
      {"base", "models", "audio", "audio/**", "training/beat", "training/hmm", "training/networks"}},
     {"training/figures", {"base", "models", "motion", "motion/**", "training/hmm"}},
+    {"training/discovery",
+     {"base", "models", "motion", "motion/**", "training/figures", "training/hmm"}},
 
     {"engine/decode", {"base", "audio/io"}},
     {"engine/setup", {"base", "audio", "audio/**", "motion", "motion/**"}},
@@ -99,6 +101,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/offline"}},
 
     {"apps/terminal", {"base"}},
+    {"apps/clips", {"base", "motion/skeleton", "motion/skeleton/formats", "render/import"}},
     {"apps/dances",
      {"base", "motion", "motion/**", "engine/setup", "training/figures", "training/hmm"}},
     {"apps/reports",
@@ -122,6 +125,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "render/**",
       "engine/**",
       "training/hmm",
+      "apps/clips",
       "apps/dances",
       "apps/terminal",
       "apps/reports"}},
@@ -135,6 +139,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "engine/setup",
       "engine/offline",
       "training/**",
+      "apps/clips",
       "apps/dances",
       "apps/terminal",
       "apps/reports"}},

@@ -218,7 +218,7 @@ TEST_F(BadInput, training_refuses_bad_labels_in_one_line) {
          "line 3: clip 140-199 overlaps line 2 (10-150)"},
         {"clip\tlead\t10\t11\tbasic\t8\n", "line 2: 1 frames for 8 beats"},
         {"clip\tlead\t10\t150\tbasic\t0\n", "line 2: beats is 0"},
-        {"other\tlead\t10\t150\tbasic\t8\n", "no clip named other.bvh"},
+        {"other\tlead\t10\t150\tbasic\t8\n", "no clip named other was given"},
     };
     for (const auto& c : cases) {
         write("labels.tsv", header + c.rows);

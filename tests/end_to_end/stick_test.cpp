@@ -116,7 +116,7 @@ TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
     ASSERT_TRUE(write_file(folder_ / "clip.fbx", "FBX"));
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{path("none.bvh")}, "none.bvh"},
-        {{path("clip.fbx")}, "cannot read this kind of motion; known: .bvh, .toml"},
+        {{path("clip.fbx")}, "is no motion file of a known kind; known: BVH, "},
         {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
         {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
         {{clip("bad/frame_time_zero.bvh")}, "give the rate with --fps"},
@@ -158,6 +158,48 @@ TEST_F(Stick, draws_what_is_odd_whether_humanoid_or_not) {
                                           "0"});
         EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     }
+}
+
+TEST_F(Stick, draws_skeletons_and_points_of_other_formats) {
+    const fs::path tests = fs::path(RAKS_SOURCE_DIR) / "tests";
+    // A skeleton and its motion lie in one file of the fuzzer's.
+    const std::string both = read_file(tests / "fuzz/corpus/acclaim/two_bones.txt").value();
+    const std::size_t cut = both.find("%%\n");
+    ASSERT_TRUE(write_file(folder_ / "x.asf", both.substr(0, cut)));
+    ASSERT_TRUE(write_file(folder_ / "y.amc", both.substr(cut + 3)));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{path("y.amc"), "--skeleton", path("x.asf")},
+         "says no frame rate: 120 a second are taken (--fps sets it)"},
+        {{(tests / "fuzz/corpus/smpl_npz/amass.npz").string()}, ""},
+        {{(tests / "fuzz/corpus/c3d/intel_float.c3d").string()},
+         "1 of its points are angles, forces or the like and left out"},
+        {{(tests / "data/avatars/kenney_character.glb#walk").string()}, ""},
+    };
+    for (const auto& [arguments, part] : cases) {
+        std::vector<std::string> command = {"stick", "--frame", "1", "-o", path("x.png")};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const ProcessResult result = run(command);
+        EXPECT_EQ(result.exit_code, 0) << arguments[0] << ": " << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(picture("x.png").substr(1, 3), "PNG");
+        fs::remove(path("x.png"));
+    }
+    // Points cannot be learnt from.
+    ASSERT_TRUE(write_file(folder_ / "labels.tsv",
+                           "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n"
+                           "two\tlead\t0\t2\tbasic\t8\t1\ttrain\n"));
+    const ProcessResult points = run({"train",
+                                      "figure",
+                                      (tests / "fuzz/corpus/trc/two.trc").string(),
+                                      "--labels",
+                                      path("labels.tsv"),
+                                      "-o",
+                                      path("x.json")});
+    EXPECT_EQ(points.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(points.err)) << points.err;
+    EXPECT_NE(points.err.find("holds 2 points, which must be solved to a body first"),
+              std::string::npos)
+        << points.err;
 }
 
 using Sheet = Stick;

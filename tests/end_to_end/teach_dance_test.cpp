@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "motion/skeleton/formats/bvh.hpp"
 #include "tests/end_to_end/manual.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/training/discovery/stepping_dance.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -99,6 +102,65 @@ TEST_F(TeachDance, what_is_learnt_is_danced_by_name_by_folder_and_by_its_text) {
     EXPECT_EQ(*by_name, *read_file(folder_ / "text.bvh"));
     expect_done({"dance", "song.mp3", "--dance", "waltz", "-o", "waltz.bvh"});
     EXPECT_NE(*by_name, *read_file(folder_ / "waltz.bvh")) << "its own grammar, not the waltz's";
+}
+
+/// A clip of six repeats of one figure at 166 BPM, the third with raised arms.
+void write_unlabelled_clip(const fs::path& file) {
+    motion::test::SteppingDance dance;
+    dance.raised = {2};
+    const motion::TrainingClip clip = motion::test::stepping_clip(dance);
+    ASSERT_TRUE(motion::write_bvh(file, motion::mannequin_skeleton(), clip.poses, 60.0));
+}
+
+TEST_F(TeachDance, a_clip_that_nobody_labelled_is_learnt_and_danced) {
+    write_unlabelled_clip(folder_ / "mine.bvh");
+    const ProcessResult learnt = run_here({"train", "figure", "mine.bvh"});
+    ASSERT_EQ(learnt.exit_code, 0) << learnt.err;
+    EXPECT_NE(learnt.out.find("mine: 5 of 6 repeats of 8 beats"), std::string::npos) << learnt.out;
+    EXPECT_EQ(found("mine")["figures"], nlohmann::json{"basic"});
+    EXPECT_NEAR(found("mine")["likely_tempo"].get<double>(), 60.0 / 0.36, 5.0);
+    expect_done({"dance", "song.mp3", "--dance", "mine", "-o", "mine_danced.bvh"});
+    expect_done({"train", "figure", "mine.bvh", "--once", "-o", "once"});
+    expect_done({"dance", "song.mp3", "--dance", "once", "-o", "once_danced.bvh"});
+}
+
+TEST_F(TeachDance, repeats_are_proposed_as_labels_that_can_be_edited_and_learnt) {
+    write_unlabelled_clip(folder_ / "mine.bvh");
+    const ProcessResult proposed =
+        run_here({"train", "figure", "mine.bvh", "--propose", "repeats.tsv"});
+    ASSERT_EQ(proposed.exit_code, 0) << proposed.err;
+    EXPECT_TRUE(fs::exists(folder_ / "repeats.html"));
+    EXPECT_EQ(found("mine"), nullptr) << "nothing is learnt";
+    auto table = read_file(folder_ / "repeats.tsv");
+    ASSERT_TRUE(table);
+    table->erase(table->rfind("mine\tlead"));  // the last repeat
+    ASSERT_TRUE(write_file(folder_ / "repeats.tsv", *table));
+    const ProcessResult learnt =
+        run_here({"train", "figure", "mine.bvh", "--labels", "repeats.tsv", "-o", "mine"});
+    ASSERT_EQ(learnt.exit_code, 0) << learnt.err;
+    EXPECT_NE(learnt.out.find("4 of 5 repeats"), std::string::npos) << learnt.out;
+}
+
+TEST_F(TeachDance, clips_that_tell_nothing_are_refused_in_one_line) {
+    motion::test::SteppingDance dance;
+    motion::TrainingClip still = motion::test::stepping_clip(dance);
+    std::fill(still.poses.begin(), still.poses.end(), still.poses.front());
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "still.bvh", motion::mannequin_skeleton(), still.poses, 60.0));
+    const ProcessResult result = run_here({"train", "figure", "still.bvh", "--scale", "1"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.err, "raks: still.bvh: nothing moves in it\n");
+    dance.repeats = 1;
+    const motion::TrainingClip once = motion::test::stepping_clip(dance);
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "one go.bvh", motion::mannequin_skeleton(), once.poses, 60.0));
+    const ProcessResult none =
+        run_here({"train", "figure", "one go.bvh", "--scale", "1", "-o", "once"});
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_EQ(none.err,
+              "raks: one go.bvh: nothing in it repeats; --once learns it as a single phrase\n");
+    const ProcessResult nameless = run_here({"train", "figure", "one go.bvh"});
+    EXPECT_EQ(nameless.err, "raks: give the dance a name: -o NAME (one go can be none)\n");
 }
 
 TEST_F(TeachDance, its_grammar_can_be_edited_and_is_kept) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/file.hpp"
@@ -159,6 +160,18 @@ void Mutants::add_motion() {
                       {"stick", path("m.bvh"), "--frame", "5", "-o", path("x.png")},
                       Form::text,
                       {"x.png"}});
+    const std::string corpus = "tests/fuzz/corpus/";
+    for (const auto& [ending, file, form] : {std::tuple("npz", "smpl_npz/amass.npz", Form::bytes),
+                                             std::tuple("c3d", "c3d/intel_float.c3d", Form::bytes),
+                                             std::tuple("trc", "trc/two.trc", Form::text)}) {
+        const std::string name = std::string("m.") + ending;
+        doors_.push_back({ending,
+                          name,
+                          source(corpus + file),
+                          {"stick", path(name), "--frame", "0", "-o", path("x.png")},
+                          form,
+                          {"x.png"}});
+    }
     ASSERT_TRUE(write_file(path("labels.tsv"), source("tests/fuzz/corpus/labels/good.tsv")));
     doors_.push_back(
         {"labels",

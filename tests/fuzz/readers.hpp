@@ -48,6 +48,12 @@ bool read_index(std::string_view text);         ///< of a beat corpus
 bool read_beat_list(std::string_view text);     ///< annotated beats
 bool read_playlist(std::string_view text);      ///< in all forms
 bool read_clip(std::string_view text);          ///< BVH; draws it, retargets it and learns from it
+bool read_acclaim(std::string_view text);       ///< .asf, a line "%%", .amc
+bool read_smpl_npz(std::string_view bytes);     ///< SMPL parameters
+bool read_smpl_json(std::string_view text);     ///< the same
+bool read_c3d(std::string_view bytes);          ///< points, and draws them
+bool read_trc(std::string_view text);           ///< the same
+bool read_points_csv(std::string_view text);    ///< the same
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
 bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps

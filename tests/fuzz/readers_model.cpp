@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
@@ -11,6 +12,7 @@
 #include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/image.hpp"
+#include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/standing_figure.hpp"
 #include "render/model/model_survey.hpp"
@@ -201,6 +203,13 @@ bool read_model_file(std::string_view text) {
     static_cast<void>(render::survey(*model));
     move(*model);
     check_standing(*model);
+    for (std::size_t clip = 0; clip < std::min<std::size_t>(model->animations.size(), 3); ++clip) {
+        const auto motion = render::model_motion(*model, clip, std::nullopt);
+        const auto places = motion ? motion->positions : std::vector<glm::dvec3>();
+        for (const glm::dvec3& place : places) {
+            promise(std::isfinite(place.x + place.y + place.z));
+        }
+    }
     for (const render::ModelImage& image : model->images) {
         if (!image.packed.empty()) {
             static_cast<void>(render::decode_image(image.packed, image.halvings));

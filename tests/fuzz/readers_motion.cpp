@@ -1,4 +1,5 @@
 // What is done with recorded motion: drawn as sticks, brought onto our body, and learnt from.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -7,12 +8,18 @@
 
 #include "motion/skeleton/body/joint_finder.hpp"
 #include "motion/skeleton/body/joint_report.hpp"
+#include "motion/skeleton/formats/acclaim.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/json_arrays.hpp"
+#include "motion/skeleton/formats/npz.hpp"
+#include "motion/skeleton/formats/points.hpp"
+#include "motion/skeleton/formats/smpl.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "render/scene/clip_figure.hpp"
+#include "render/scene/point_figure.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
@@ -28,7 +35,7 @@ bool is_finite(const glm::vec3& v) {
 
 // The first, a middle and the last frame, as `raks stick` draws them.
 void draw(const motion::MotionClip& clip) {
-    const auto figures = render::ClipFigures::create(clip, motion::guess_metres_per_unit(clip));
+    const auto figures = render::ClipFigures::create(clip);
     if (!figures) {
         must_be_one_line(figures.error().message);
         return;
@@ -86,7 +93,91 @@ void look_for_joints(motion::MotionClip clip) {
     }
 }
 
+// What a reader of a skeleton's motion promises.
+void must_be_sound(const motion::MotionClip& clip) {
+    must(clip.frame_count >= 1 && !clip.joints.empty() && clip.frames_per_second > 0.0);
+    must(clip.rotations.size() == clip.frame_count * clip.joints.size());
+    must(clip.positions.size() == clip.rotations.size());
+    for (std::size_t joint = 0; joint < clip.joints.size(); ++joint) {
+        must(clip.joints[joint].parent <= joint);
+    }
+    for (const glm::dquat& turn : clip.rotations) {
+        must(std::abs(glm::length(turn) - 1.0) < 1e-6);
+    }
+    for (const glm::dvec3& place : clip.positions) {
+        must(std::isfinite(place.x + place.y + place.z));
+    }
+    for (const std::string& warning : clip.warnings) {
+        must_be_one_line(warning);
+    }
+    draw(clip);
+}
+
+// The same of points, which are drawn, too.
+void must_be_sound(const motion::PointClip& clip) {
+    must(clip.frame_count >= 1 && !clip.names.empty() && clip.frames_per_second > 0.0);
+    must(clip.positions.size() == clip.frame_count * clip.names.size());
+    for (const std::string& warning : clip.warnings) {
+        must_be_one_line(warning);
+    }
+    const auto figures = render::PointFigures::create(clip, render::guess_point_frame(clip).frame);
+    must(figures.has_value());
+    for (const std::size_t frame : {std::size_t{0}, clip.frame_count - 1}) {
+        for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {
+            must(is_finite(vertex.position));
+        }
+    }
+}
+
+// Whether it was read; what was read is sound, and what was not is said in one line.
+template <typename Clip>
+bool is_read(const Expected<Clip>& clip) {
+    if (!clip) {
+        must_be_one_line(clip.error().message);
+        return false;
+    }
+    must_be_sound(*clip);
+    return true;
+}
+
+bool read_smpl(const Expected<motion::NpzContent>& content) {
+    if (!content) {
+        must_be_one_line(content.error().message);
+        return false;
+    }
+    return is_read(motion::smpl_clip(*content, {}));
+}
+
 }  // namespace
+
+bool read_acclaim(std::string_view text) {
+    // The skeleton, a line of its own, the motion: two files in one.
+    constexpr std::string_view kCut = "\n%%\n";
+    const std::size_t cut = std::min(text.find(kCut), text.size());
+    const auto skeleton = motion::parse_asf(text.substr(0, cut), "x.asf");
+    if (!skeleton) {
+        must_be_one_line(skeleton.error().message);
+        return false;
+    }
+    const std::string_view motion = text.substr(std::min(cut + kCut.size(), text.size()));
+    return is_read(motion::parse_amc(motion, "x.amc", *skeleton, std::nullopt));
+}
+
+bool read_smpl_npz(std::string_view bytes) {
+    return read_smpl(motion::read_npz(bytes, motion::kSmplArrays));
+}
+bool read_smpl_json(std::string_view text) {
+    return read_smpl(motion::read_json_arrays(text, motion::kSmplArrays));
+}
+bool read_c3d(std::string_view bytes) {
+    return is_read(motion::parse_c3d(bytes, "x.c3d", std::nullopt));
+}
+bool read_trc(std::string_view text) {
+    return is_read(motion::parse_trc(text, "x.trc", std::nullopt));
+}
+bool read_points_csv(std::string_view text) {
+    return is_read(motion::parse_points_csv(text, "x.csv", 60.0));
+}
 
 bool read_joint_map_file(std::string_view text) {
     auto labels = motion::read_joint_map(text, "x.toml");
@@ -128,8 +219,10 @@ bool read_clip(std::string_view text) {
     look_for_joints(*paced);
     static_cast<void>(motion::leading_rest_frames(*paced));
     std::vector<std::string> warnings;
-    const auto body = motion::load_clip(
-        file.path(), {.frames_per_second = 60.0, .metres_per_unit = std::nullopt}, warnings);
+    const auto body =
+        motion::load_clip(file.path(),
+                          {.reading = {.frames_per_second = 60.0}, .metres_per_unit = std::nullopt},
+                          warnings);
     if (body) {
         for (const motion::Pose& pose : body->poses) {
             must_be_sound(pose);

@@ -183,8 +183,8 @@ TrainingBatch empty_batch(std::size_t beats, std::size_t chunks) {
 }
 
 // One-hot target of one frame.
-void put_target(TrainingBatch& batch, std::size_t frame, BarPlace place, float weight) {
-    if (place == BarPlace::unknown) {
+void put_target(TrainingBatch& batch, std::size_t frame, BarTarget place, float weight) {
+    if (place == BarTarget::unknown) {
         return;
     }
     const auto row = static_cast<std::ptrdiff_t>(frame * BarNetwork::kOutputs);
@@ -231,8 +231,8 @@ std::size_t put_sequence(const BarSequence& sequence,
 
 }  // namespace
 
-std::vector<BarPlace> places_of(const std::vector<PlayedBeat>& beats) {
-    std::vector<BarPlace> places(beats.size(), BarPlace::other);
+std::vector<BarTarget> places_of(const std::vector<PlayedBeat>& beats) {
+    std::vector<BarTarget> places(beats.size(), BarTarget::other);
     int longest = 0;
     for (const PlayedBeat& beat : beats) {
         longest = std::max(longest, beat.bar_position);
@@ -246,10 +246,10 @@ std::vector<BarPlace> places_of(const std::vector<PlayedBeat>& beats) {
             bar = position;
         }
         const bool is_middle = (bar == 4 || bar == 6) && position == bar / 2 + 1;
-        places[i] = position <= 0   ? BarPlace::unknown
-                    : position == 1 ? BarPlace::first
-                    : is_middle     ? BarPlace::middle
-                                    : BarPlace::other;
+        places[i] = position <= 0   ? BarTarget::unknown
+                    : position == 1 ? BarTarget::first
+                    : is_middle     ? BarTarget::middle
+                                    : BarTarget::other;
     }
     return places;
 }
@@ -259,7 +259,7 @@ BarSequence make_bar_sequence(const TrainingExcerpt& excerpt,
                               const MelAugmentation& augmentation,
                               Dice* dice) {
     const std::vector<double> moments = moments_of(excerpt.beats, augmentation, dice);
-    const std::vector<BarPlace> places = places_of(excerpt.beats);
+    const std::vector<BarTarget> places = places_of(excerpt.beats);
     // Hops of augmented sound that the piece fills.
     const double hops =
         (static_cast<double>(excerpt.hops()) - augmentation.first_hop) / augmentation.stretch;

@@ -39,16 +39,16 @@ BarNetwork train_bars(const std::vector<TrainingExcerpt>& corpus,
 // bar.
 
 /// Target classes in the order of the network's outputs; unknown: no target.
-enum class BarPlace : std::uint8_t { first, middle, other, unknown };
+enum class BarTarget : std::uint8_t { first, middle, other, unknown };
 
 /// One piece, a frame a beat.
 struct BarSequence {
     std::vector<BarInput::Frame> frames;  ///< features of each beat
-    std::vector<BarPlace> places;         ///< the target of each frame
+    std::vector<BarTarget> places;        ///< the target of each frame
 };
 
 /// The target of each beat. The middle is the third beat of four, the fourth of six.
-[[nodiscard]] std::vector<BarPlace> places_of(const std::vector<PlayedBeat>& beats);
+[[nodiscard]] std::vector<BarTarget> places_of(const std::vector<PlayedBeat>& beats);
 
 /// Computes the features of the excerpt from `hearing.first_hop` on, augmented as `hearing` says
 /// and cut at the annotated beats plus a simulated tracking error. `dice`: draws that error and the

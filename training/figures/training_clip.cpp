@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/body/joint_finder.hpp"
-#include "motion/skeleton/formats/bvh.hpp"
-#include "motion/skeleton/humanoid_mapping.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
@@ -55,7 +53,7 @@ void move_hips_joint(const MotionClip& motion,
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
                                  std::vector<std::string>& warnings) {
-    Expected<MotionClip> motion = read_bvh(path, {.frames_per_second = units.frames_per_second});
+    Expected<MotionClip> motion = read_skeleton_motion(path, units.reading);
     if (!motion) {
         return fail(motion.error());
     }
@@ -63,33 +61,36 @@ Expected<TrainingClip> load_clip(const fs::path& path,
         warnings.push_back(path.filename().string() + ": " + warning);
     }
     motion->labels = units.joints;
-    // The mapping is needed again for the rest pose, which retarget does not return.
-    const Expected<FoundJoints> joints = find_joints(*motion);
-    if (!joints) {
-        return fail(Error(joints.error()).in(path.filename().string()));
-    }
-    for (const std::string& note : joints->notes) {
-        warnings.push_back(path.filename().string() + ": " + note);
+    // The rest pose is needed again, which retarget does not return.
+    const Expected<StandingClip> standing =
+        stand(*motion,
+              {.up = units.up, .metres_per_unit = units.metres_per_unit, .height = units.height});
+    if (!standing) {
+        return fail(Error(standing.error()).in(path.filename().string()));
     }
     // No floor height given: retarget estimates it from the toe tips.
-    Expected<RetargetedClip> body =
-        retarget(*motion,
-                 mannequin_skeleton(),
-                 {.metres_per_unit = units.metres_per_unit, .floor_height = std::nullopt});
+    Expected<RetargetedClip> body = retarget(*standing, mannequin_skeleton());
     if (!body) {
         return fail(std::move(body.error()).in(path.filename().string()));
     }
-    if (!units.metres_per_unit) {
-        warnings.push_back(fmt::format("{}: its unit is taken for {:.4g} m, by the body's height",
+    std::vector<std::string> notes = standing->body.joints.notes;
+    const std::vector<std::string> doubts = standing->body.notes();
+    notes.insert(notes.end(), doubts.begin(), doubts.end());
+    for (const std::string& note : notes) {
+        warnings.push_back(path.filename().string() + ": " + note);
+    }
+    if (!units.metres_per_unit && !units.height && !motion->metres_per_unit) {
+        warnings.push_back(fmt::format("{}: its unit is taken for {}: {}",
                                        path.filename().string(),
-                                       body->metres_per_unit));
+                                       unit_name(body->metres_per_unit),
+                                       standing->body.size.reason));
     }
     TrainingClip clip;
     clip.name = path.stem().string();
     clip.frames_per_second = body->frames_per_second;
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
-    move_hips_joint(*motion, joints->mapping, *body, clip);
+    move_hips_joint(standing->clip, standing->body.mapping(), *body, clip);
     // As a fault these frames are bridged with the first sound pose.
     clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
     return clip;

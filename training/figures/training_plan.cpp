@@ -8,20 +8,16 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "motion/skeleton/formats/motion_format.hpp"
 #include "training/figures/label_counts.hpp"
 #include "training/figures/repeat_features.hpp"
 #include "training/figures/training_clip.hpp"
 
 namespace raks::motion {
-namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestBridge = 0.5;   ///< seconds of fault that may be bridged
-constexpr double kFastestDance = 260.0;  ///< BPM; above it the frame rate is likely wrong
-
-/// Take -> file: the clips named in the plan, or all *.bvh of a single folder.
-Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& plan) {
+Expected<std::map<std::string, fs::path>> clips_by_take(const FigureTrainingPlan& plan) {
     std::vector<fs::path> paths = plan.clips;
     std::error_code error;
     if (paths.size() == 1 && fs::is_directory(paths[0], error)) {
@@ -31,20 +27,29 @@ Expected<std::map<std::string, fs::path>> files_of(const FigureTrainingPlan& pla
             return fail(std::move(listed.error()));
         }
         paths = std::move(*listed);
-        std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".bvh"; });
+        std::erase_if(paths, [](const fs::path& path) { return !is_clip_name(path); });
         if (paths.empty()) {
-            return fail(folder.string() + ": holds no .bvh file");
+            return fail(folder.string() + ": holds no clip (.bvh, .amc, .glb, ...)");
         }
     }
     if (paths.empty()) {
-        return fail("no clips given; name BVH files or their folder");
+        return fail("no clips given; name motion files or their folder");
     }
     std::map<std::string, fs::path> files;
-    // A later file of the same name replaces an earlier one.
     for (const fs::path& path : paths) {
         files[path.stem().string()] = path;
     }
     return files;
+}
+
+namespace {
+
+constexpr double kLongestBridge = 0.5;   ///< seconds of fault that may be bridged
+constexpr double kFastestDance = 260.0;  ///< BPM; above it the frame rate is likely wrong
+
+/// What errors call the labels.
+std::string labels_name(const FigureTrainingPlan& plan) {
+    return plan.labels.empty() ? "the repeats found" : plan.labels.filename().string();
 }
 
 /// False for faults of head and hands alone, because figures of captured motion do not learn them.
@@ -77,12 +82,15 @@ struct Tables {
 // With music, the beats say how long a label is, so its column of beats may be missing.
 Expected<Tables> load_tables(const FigureTrainingPlan& plan) {
     Tables tables;
-    Expected<std::vector<FigureLabel>> labels =
-        load_labels(plan.labels, plan.music ? BeatsColumn::optional : BeatsColumn::required);
-    if (!labels) {
-        return fail(std::move(labels.error()));
+    tables.labels = plan.found;
+    if (!plan.labels.empty()) {
+        Expected<std::vector<FigureLabel>> labels =
+            load_labels(plan.labels, plan.music ? BeatsColumn::optional : BeatsColumn::required);
+        if (!labels) {
+            return fail(std::move(labels.error()));
+        }
+        tables.labels = std::move(*labels);
     }
-    tables.labels = std::move(*labels);
     if (plan.counts) {
         Expected<std::vector<CountTime>> counts = load_counts(*plan.counts);
         if (!counts) {
@@ -141,7 +149,7 @@ Expected<void> check_range(const FigureLabel& label,
                            const FigureTrainingPlan& plan) {
     if (label.end > clip.poses.size()) {
         return fail(fmt::format("{}: line {}: end is {}, {} has {} frames",
-                                plan.labels.filename().string(),
+                                labels_name(plan),
                                 label.line,
                                 label.end,
                                 clip.name,
@@ -197,10 +205,8 @@ class Collector {
         Expected<LabelCounts> counts = counts_of(label, *plan_.music, clip.frames_per_second);
         if (!counts) {
             // The error names the table's line: the music alone does not tell which label is wrong.
-            return fail(fmt::format("{}: line {}: {}",
-                                    plan_.labels.filename().string(),
-                                    label.line,
-                                    counts.error().message));
+            return fail(fmt::format(
+                "{}: line {}: {}", labels_name(plan_), label.line, counts.error().message));
         }
         return counts;
     }
@@ -220,14 +226,16 @@ class Collector {
         }
         const auto file = files_.find(label.take);
         if (file == files_.end()) {
-            return fail(fmt::format("{}: line {}: no clip named {}.bvh was given",
-                                    plan_.labels.filename().string(),
+            return fail(fmt::format("{}: line {}: no clip named {} was given",
+                                    labels_name(plan_),
                                     label.line,
                                     label.take));
         }
         Expected<TrainingClip> clip = load_clip(file->second,
-                                                {.frames_per_second = plan_.frames_per_second,
+                                                {.reading = plan_.reading,
                                                  .metres_per_unit = plan_.metres_per_unit,
+                                                 .height = plan_.height,
+                                                 .up = plan_.up,
                                                  .joints = plan_.joints},
                                                 material_.warnings);
         if (!clip) {
@@ -296,7 +304,7 @@ std::string_view cmu_attribution() noexcept {
 }
 
 Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
-    const Expected<std::map<std::string, fs::path>> files = files_of(plan);
+    const Expected<std::map<std::string, fs::path>> files = clips_by_take(plan);
     if (!files) {
         return fail(files.error());
     }
@@ -318,13 +326,13 @@ Expected<TrainingMaterial> load_material(const FigureTrainingPlan& plan) {
         return fail(
             fmt::format("{}: no {} of the {} to learn from ({} labelled, none fit); check "
                         "figure, role, split and confidence",
-                        plan.labels.filename().string(),
+                        labels_name(plan),
                         plan.figure,
                         kRoleNames[static_cast<std::size_t>(plan.role)],
                         material.uses.size()));
     }
-    // Lengths can differ only where the music decided them.
-    if (plan.music) {
+    // Lengths can differ only where the music decided them, or each clip's own feet.
+    if (plan.music || plan.labels.empty()) {
         keep_common_length(material);
     }
     return std::move(material);

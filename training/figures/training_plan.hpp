@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "base/expected.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/label_counts.hpp"
 
@@ -18,8 +20,9 @@ namespace raks::motion {
 
 /// Which files, which labels and how to learn from them.
 struct FigureTrainingPlan {
-    std::vector<std::filesystem::path> clips;  ///< BVH; or one folder: all its *.bvh
+    std::vector<std::filesystem::path> clips;  ///< or one folder: all clips in it
     std::filesystem::path labels;              ///< table of labelled repetitions (label_tables.hpp)
+    std::vector<FigureLabel> found;  ///< labels that no table holds; used without `labels`
     /// Table of counts; none: counts lie evenly between a label's start and end.
     std::optional<std::filesystem::path> counts;
     /// Takes counts from these beats instead; labels then need not give a number of beats.
@@ -36,8 +39,10 @@ struct FigureTrainingPlan {
     /// repeats.)
     double min_confidence = 0.9;
 
-    std::optional<double> frames_per_second;           ///< instead of the file's
-    std::optional<double> metres_per_unit;             ///< none: guessed from the body's height
+    MotionReadOptions reading;                         ///< of the clips; with another rate
+    std::optional<double> metres_per_unit;             ///< none: found from the body's size
+    std::optional<double> height{};                    ///< of the body, metres; none: found
+    std::optional<glm::dvec3> up{};                    ///< axis that points up; none: found
     JointLabels joints{};                              ///< which joint of the clips is which bone
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
@@ -59,6 +64,12 @@ struct FigureTrainingReport {
     std::vector<RepeatUse> repeats;          ///< all labels of the figure, role and split
     std::vector<std::string> warnings;       ///< for people, one line each
 };
+
+/// The clips of a plan by take, which is the file's name without extension: the files named, or all
+/// *.bvh of one folder. A later file of the same name replaces an earlier one. Errors: none named,
+/// a folder without clips, or one that cannot be read.
+[[nodiscard]] Expected<std::map<std::string, std::filesystem::path>> clips_by_take(
+    const FigureTrainingPlan& plan);
 
 /// Training data of a plan: its motion and repeats.
 struct TrainingMaterial {

@@ -3,74 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "motion/skeleton/formats/motion_limits.hpp"
+
 namespace raks::motion {
 namespace {
 
-constexpr double kMaxNumber = 1e6;  // in file units or degrees: beyond it a file is damaged
-
-}  // namespace
-
-std::size_t BvhText::line_number() const noexcept {
-    if (lines_.empty()) {
-        return 1;
-    }
-    return is_at_end() ? lines_.back().number : line().number;
-}
-
-tl::unexpected<Error> BvhText::fault(std::size_t line, const std::string& what) const {
-    return fail(fmt::format("{}: line {}: {}", name_, line, what));
-}
-tl::unexpected<Error> BvhText::fault(const std::string& what) const {
-    return fail(fmt::format("{}: {}", name_, what));
-}
-
-Expected<double> BvhText::number(std::string_view word, std::size_t line) const {
-    if (!word.empty() && word.front() == '+') {  // from_chars knows no plus sign
-        word.remove_prefix(1);
-    }
-    double value = 0.0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (result.ec == std::errc::result_out_of_range) {
-        return fault(line, fmt::format("\"{}\" is out of range", word.substr(0, 40)));
-    }
-    if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size()) {
-        const bool is_comma = word.find(',') != std::string_view::npos;
-        return fault(line,
-                     fmt::format("\"{}\" is no number{}",
-                                 word.substr(0, 40),
-                                 is_comma ? " (decimal comma? BVH has decimal points)" : ""));
-    }
-    if (!std::isfinite(value)) {
-        return fault(line, fmt::format("\"{}\" is not finite", word));
-    }
-    if (std::abs(value) > kMaxNumber) {
-        return fault(line, fmt::format("{} is out of range (above {:g})", value, kMaxNumber));
-    }
-    return value;
-}
-
-Expected<std::string_view> BvhText::value_of(std::string_view key) {
-    if (next_ >= lines_.size() || lower(lines_[next_].text.substr(0, key.size())) != key) {
-        return fault(line_number(),
-                     key == "frames" ? "Frames is missing" : "Frame Time is missing");
-    }
-    std::string_view value = trimmed(lines_[next_++].text.substr(key.size()));
-    if (!value.empty() && value.front() == ':') {
-        value = trimmed(value.substr(1));
-    }
-    return value;
-}
-
-namespace {
-
-constexpr std::size_t kMaxJoints = 1000;  // limits against files that are no skeleton
-constexpr std::size_t kMaxDepth = 100;
+constexpr std::size_t kMaxDepth = 100;  // against files that are no skeleton
 constexpr std::array<std::string_view, 6> kChannelNames = {
     "xposition", "yposition", "zposition", "xrotation", "yrotation", "zrotation"};
 
@@ -78,7 +21,7 @@ constexpr std::array<std::string_view, 6> kChannelNames = {
 // next one. A stack holds the joints that are open.
 class HierarchyReader {
  public:
-    explicit HierarchyReader(BvhText& text) : text_(text) {}
+    explicit HierarchyReader(MotionText& text) : text_(text) {}
 
     Expected<BvhHierarchy> read() {
         if (auto done = parse_head(); !done) {
@@ -182,9 +125,9 @@ class HierarchyReader {
         if (!stack_.empty() && stack_.back().is_end_site) {
             return text_.fault(line, "a JOINT inside an End Site");
         }
-        if (hierarchy_.joints.size() >= kMaxJoints || stack_.size() >= kMaxDepth) {
+        if (hierarchy_.joints.size() >= kMostJoints || stack_.size() >= kMaxDepth) {
             return text_.fault(
-                line, fmt::format("more than {} joints or {} levels", kMaxJoints, kMaxDepth));
+                line, fmt::format("more than {} joints or {} levels", kMostJoints, kMaxDepth));
         }
         // The name is the rest of the line, as it may hold blanks; an opening brace may end the
         // line.
@@ -288,7 +231,7 @@ class HierarchyReader {
         bool is_end_site = false;
     };
 
-    BvhText& text_;
+    MotionText& text_;
     BvhHierarchy hierarchy_;
     std::vector<Open> stack_;            // from the root down
     bool is_waiting_for_brace_ = false;  // after a joint's name
@@ -296,6 +239,6 @@ class HierarchyReader {
 
 }  // namespace
 
-Expected<BvhHierarchy> read_bvh_hierarchy(BvhText& text) { return HierarchyReader(text).read(); }
+Expected<BvhHierarchy> read_bvh_hierarchy(MotionText& text) { return HierarchyReader(text).read(); }
 
 }  // namespace raks::motion

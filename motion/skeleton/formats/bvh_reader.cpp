@@ -9,18 +9,18 @@
 #include "base/file.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/bvh_hierarchy.hpp"
+#include "motion/skeleton/formats/frame_rate.hpp"
+#include "motion/skeleton/formats/motion_limits.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::motion {
 namespace {
 
-constexpr double kMaxFrames = 1e7;  // declared; against damaged counts
-
 /// Reads what follows MOTION into a clip whose joints are known.
 class MotionReader {
  public:
-    MotionReader(BvhText& text,
+    MotionReader(MotionText& text,
                  BvhHierarchy hierarchy,
                  std::string_view name,
                  const BvhOptions& options)
@@ -51,9 +51,10 @@ class MotionReader {
             return text_.fault(
                 frames_line, fmt::format("Frames: \"{}\" is no count", frames_text->substr(0, 40)));
         }
-        if (frames > kMaxFrames) {
-            return text_.fault(frames_line,
-                               fmt::format("Frames: {} is more than {:g}", frames, kMaxFrames));
+        if (frames > kMostDeclaredFrames) {
+            return text_.fault(
+                frames_line,
+                fmt::format("Frames: {} is more than {:g}", frames, kMostDeclaredFrames));
         }
         if (auto done = parse_frame_time(); !done) {
             return done;
@@ -75,7 +76,12 @@ class MotionReader {
         if (options_.frames_per_second) {
             clip_.frames_per_second = *options_.frames_per_second;
         } else if (is_good) {
-            clip_.frames_per_second = 1.0 / seconds;
+            const WrittenRate written = rate_of_frame_time(
+                text->substr(0, static_cast<std::size_t>(parsed.ptr - text->data())), seconds);
+            clip_.frames_per_second = written.frames_per_second;
+            if (!written.warning.empty()) {
+                clip_.warnings.push_back(written.warning);
+            }
         } else {
             return text_.fault(
                 line,
@@ -177,7 +183,7 @@ class MotionReader {
         }
     }
 
-    BvhText& text_;
+    MotionText& text_;
     BvhHierarchy hierarchy_;
     std::string_view name_;
     BvhOptions options_;
@@ -194,7 +200,7 @@ Expected<MotionClip> parse_bvh(std::string_view text,
     if (text.substr(0, 3) == kByteOrderMark) {
         text.remove_prefix(3);
     }
-    BvhText lines(text, name);
+    MotionText lines(text, name);
     auto hierarchy = read_bvh_hierarchy(lines);
     if (!hierarchy) {
         return fail(std::move(hierarchy.error()));

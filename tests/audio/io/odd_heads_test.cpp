@@ -7,8 +7,8 @@
 #include "audio/io/ogg_links.hpp"
 #include "audio/io/wav_writer.hpp"
 #include "base/file.hpp"
-#include "base/pending_file.hpp"
 #include "tests/audio/io/sound_files.hpp"
+#include "tests/support/damaged_file.hpp"
 #include "tests/support/mangled.hpp"
 
 namespace raks::audio {
@@ -33,7 +33,7 @@ class OddHeadsTest : public test::SoundFilesTest, public ::testing::WithParamInt
     /// Gives the bytes to every reader of heads.
     void try_heads(std::string_view bytes) {
         const auto path = folder_ / "bad";
-        ASSERT_TRUE(write_file(path, bytes));
+        raks::test::write_damaged(path, bytes);
         const FileWindow file = FileWindow::open(path).value();
         const MendedHead mended = mend_head(file);
         EXPECT_GE(mended.missing_seconds, 0.0);

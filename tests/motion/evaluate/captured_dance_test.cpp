@@ -26,7 +26,7 @@ class CapturedClips : public ::testing::Test {
         CapturedDancePlan plan;
         plan.folder = clips_;
         plan.labels = folder_ / "labels.tsv";
-        plan.frames_per_second = 60.0;
+        plan.reading.frames_per_second = 60.0;
         plan.metres_per_unit = 1.267;
         return plan;
     }

@@ -26,6 +26,30 @@ TEST(LabelTables, read_labels_whatever_the_line_ends_and_order_of_columns) {
     EXPECT_EQ((*labels)[0].line, 4U);
 }
 
+TEST(LabelTables, labels_that_are_written_read_back) {
+    FigureLabel label;
+    label.take = "60_02";
+    label.role = DanceRole::follow;
+    label.start = 311;
+    label.end = 484;
+    label.figure = "basic";
+    label.confidence = 0.93;
+    const std::vector<FigureLabel> labels = {label};
+    const std::vector<std::string> remarks = {"edit me"};
+    const std::string text = labels_text(labels, remarks);
+    EXPECT_EQ(text.substr(0, 10), "# edit me\n");
+    const Expected<std::vector<FigureLabel>> read = parse_labels(text, "l.tsv");
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ((*read)[0].take, "60_02");
+    EXPECT_EQ((*read)[0].role, DanceRole::follow);
+    EXPECT_EQ((*read)[0].start, 311U);
+    EXPECT_EQ((*read)[0].end, 484U);
+    EXPECT_EQ((*read)[0].figure, "basic");
+    EXPECT_EQ((*read)[0].beats, 8);
+    EXPECT_EQ((*read)[0].confidence, 0.93);
+}
+
 TEST(LabelTables, refuse_bad_labels_with_line_and_value) {
     const struct {
         std::string text;

@@ -13,6 +13,8 @@
 #include "tests/render/gl/pictures.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace raks::render {
 namespace {
@@ -40,7 +42,7 @@ motion::MotionClip chain(std::size_t joints) {
 
 TEST(ClipFigures, stand_on_the_floor_in_the_middle_of_their_way) {
     const motion::MotionClip clip = clip_of("plain.bvh");  // 9 joints, centimetres
-    const auto figures = ClipFigures::create(clip, 0.01);
+    const auto figures = ClipFigures::create(clip, {.metres_per_unit = 0.01});
     ASSERT_TRUE(figures) << figures.error().message;
     float lowest = 1e9F;
     float highest = -1e9F;
@@ -65,7 +67,7 @@ TEST(ClipFigures, stand_on_the_floor_in_the_middle_of_their_way) {
 
 TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const ClipFigure figure = ClipFigures::create(clip, 0.01)->at(0);
+    const ClipFigure figure = ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0);
     const auto colours = [&](auto wanted) {
         return std::count_if(figure.shape.vertices.begin(), figure.shape.vertices.end(), wanted);
     };
@@ -76,29 +78,66 @@ TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
     for (motion::ClipJoint& joint : headless.joints) {
         joint.name = "joint";
     }
-    EXPECT_GT(figure.shape.vertices.size(),
-              ClipFigures::create(headless, 0.01)->at(0).shape.vertices.size() + 400)
+    EXPECT_GT(
+        figure.shape.vertices.size(),
+        ClipFigures::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
         << "the egg and the nose";
 }
 
 TEST(ClipFigures, of_many_joints_fit_one_mesh_or_are_refused) {
     const motion::MotionClip most = chain(ClipFigures::kMaxJoints);
-    const auto figures = ClipFigures::create(most, 1.0);
+    const auto figures = ClipFigures::create(most, {.metres_per_unit = 1.0});
     ASSERT_TRUE(figures);
     EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
     const motion::MotionClip more = chain(ClipFigures::kMaxJoints + 1);
-    const auto refused = ClipFigures::create(more, 1.0);
+    const auto refused = ClipFigures::create(more, {.metres_per_unit = 1.0});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message, "has 201 joints; at most 200 can be drawn");
-    EXPECT_FALSE(ClipFigures::create(motion::MotionClip{}, 1.0));
+    EXPECT_FALSE(ClipFigures::create(motion::MotionClip{}));
 }
 
 TEST(ClipFigures, without_any_height_are_drawn_all_the_same) {
     motion::MotionClip flat = chain(1);
-    const ClipFigure figure = ClipFigures::create(flat, 1.0)->at(0);
+    const ClipFigure figure = ClipFigures::create(flat, {.metres_per_unit = 1.0})->at(0);
     ASSERT_FALSE(figure.shape.vertices.empty());
     for (const StickVertex& vertex : figure.shape.vertices) {
         EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z));
+    }
+}
+
+/// Our own dance, its root turned as programs with z up write it.
+motion::MotionClip dance_with_z_up() {
+    motion::MotionClip clip = clip_of("../dance/own_dance.bvh");
+    const glm::dquat turn =
+        glm::angleAxis(glm::half_pi<double>(), glm::dvec3(1.0, 0.0, 0.0));  // y to z
+    for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
+        const std::size_t root = frame * clip.joints.size();
+        clip.positions[root] = turn * clip.positions[root];
+        clip.rotations[root] = turn * clip.rotations[root];
+    }
+    return clip;
+}
+
+TEST(ClipFigures, of_a_body_stand_whichever_axis_is_up) {
+    const auto figures = ClipFigures::create(dance_with_z_up());
+    ASSERT_TRUE(figures) << figures.error().message;
+    ASSERT_TRUE(figures->body());
+    EXPECT_NEAR(figures->size(), 1.0F, 0.05F);
+    const ClipFigure figure = figures->at(0);
+    const auto& places = figure.landmarks;
+    EXPECT_GT(places.position(motion::Bone::head).y, 1.2F) << "metres over the floor";
+    EXPECT_LT(places.position(motion::Bone::left_foot).y, 0.3F);
+    const glm::vec3 across = places.position(motion::Bone::left_upper_leg) -
+                             places.position(motion::Bone::right_upper_leg);
+    EXPECT_GT(across.x, 0.0F) << "faces us: its left is on our right";
+}
+
+TEST(ClipFigures, fit_the_picture_also_in_a_wrong_unit) {
+    const auto figures = ClipFigures::create(dance_with_z_up(), {.metres_per_unit = 1.0});
+    ASSERT_TRUE(figures) << figures.error().message;
+    EXPECT_LE(figures->size(), 2.5F) << "a camera has to get back far enough";
+    for (const StickVertex& vertex : figures->at(0).shape.vertices) {
+        EXPECT_LT(vertex.position.y, 2.5F * 1.9F);
     }
 }
 
@@ -108,7 +147,8 @@ TEST_F(ClipPicture, shows_the_body_where_the_avatar_would_be_and_the_avatar_agai
     auto renderer = Renderer::create(build_mannequin(), {.quality = Quality::fast});
     ASSERT_TRUE(renderer) << renderer.error().message;
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const std::vector<ClipFigure> figures = {ClipFigures::create(clip, 0.01)->at(0)};
+    const std::vector<ClipFigure> figures = {
+        ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0)};
     const std::vector<motion::Pose> poses = {standing_pose()};
     PoseSheetConfig config;
     config.columns = 1;

@@ -20,9 +20,9 @@ std::vector<PlayedBeat> beats_of(std::initializer_list<int> positions) {
     return beats;
 }
 
-std::string letters(const std::vector<BarPlace>& places) {
+std::string letters(const std::vector<BarTarget>& places) {
     std::string text;
-    for (const BarPlace place : places) {
+    for (const BarTarget place : places) {
         text += "fmo?"[static_cast<std::size_t>(place)];
     }
     return text;
@@ -66,7 +66,7 @@ TEST(BarSequences, each_whole_beat_is_a_frame_with_its_place) {
         make_bar_sequence(accented(3), any_network(), MelAugmentation::plain(), nullptr);
     ASSERT_EQ(heard.frames.size(), 31U);  // the last has no end
     for (std::size_t i = 1; i < heard.frames.size(); ++i) {
-        EXPECT_EQ(heard.places[i] == BarPlace::first, i % 4 == 2) << i;
+        EXPECT_EQ(heard.places[i] == BarTarget::first, i % 4 == 2) << i;
         EXPECT_EQ(heard.frames[i][0] > 0.3F, i % 4 == 2) << i;
     }
 }
@@ -77,7 +77,7 @@ TEST(BarSequences, a_later_start_and_another_speed_move_the_beats_with_the_music
     augmentation.stretch = 1.25;
     const BarSequence heard = make_bar_sequence(accented(1), any_network(), augmentation, nullptr);
     ASSERT_EQ(heard.frames.size(), 29U);  // from the third on, but for the last
-    EXPECT_EQ(heard.places[2], BarPlace::first);
+    EXPECT_EQ(heard.places[2], BarTarget::first);
     EXPECT_GT(heard.frames[2][0], 0.3F);
     EXPECT_NEAR(heard.frames[2].back(), std::log2(40.0F / 50.0F), 0.05F);
 }

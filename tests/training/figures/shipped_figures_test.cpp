@@ -132,7 +132,7 @@ TEST_P(FigureFromClips, comes_out_of_them_bit_for_bit) {
     plan.dance = "salsa";
     plan.role = GetParam();
     plan.split = "train";
-    plan.frames_per_second = 60.0;
+    plan.reading.frames_per_second = 60.0;
     plan.metres_per_unit = is_lead ? 1.267 : 1.17;
     plan.attribution = cmu_attribution();
     for (const char* const figure :

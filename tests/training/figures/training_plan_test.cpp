@@ -37,7 +37,7 @@ class TrainingPlan : public ::testing::Test {
         plan_.clips = {folder_.path()};
         plan_.labels = folder_ / "labels.tsv";
         plan_.counts = folder_ / "counts.tsv";
-        plan_.frames_per_second = 60.0;  // the file says 120
+        plan_.reading.frames_per_second = 60.0;  // the file says 120
         plan_.metres_per_unit = 1.0;
         plan_.min_confidence = 0.85;
     }
@@ -88,7 +88,7 @@ TEST_F(TrainingPlan, leaves_out_long_faults_and_bridges_short_ones) {
 }
 
 TEST_F(TrainingPlan, warns_of_a_tempo_that_nobody_dances) {
-    plan_.frames_per_second = 120.0;
+    plan_.reading.frames_per_second = 120.0;
     const Expected<FigureTrainingReport> report = train_figure(plan_);
     ASSERT_TRUE(report) << report.error().message;
     ASSERT_FALSE(report->warnings.empty());
@@ -106,7 +106,7 @@ TEST_F(TrainingPlan, says_in_one_line_what_is_missing) {
     EXPECT_NE(failure().find("none.tsv: cannot be opened"), std::string::npos);
     plan_.labels = folder_ / "labels.tsv";
     plan_.clips = {folder_ / "60_98.bvh"};
-    EXPECT_EQ(failure(), "labels.tsv: line 2: no clip named 60_99.bvh was given");
+    EXPECT_EQ(failure(), "labels.tsv: line 2: no clip named 60_99 was given");
     plan_.clips = {};
     EXPECT_EQ(failure(), "no clips given; name BVH files or their folder");
 }

@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "base/random.hpp"
+#include "tests/support/damaged_file.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -112,13 +113,13 @@ TEST_F(GenreShard, cut_and_mangled_shards_are_refused_or_read_without_harm) {
     for (std::uint64_t i = 0; i < 160; ++i) {
         const std::size_t size =
             i < 100 ? static_cast<std::size_t>(i) * 3 : random.below(i, bytes->size());
-        ASSERT_TRUE(write_file(file, std::string_view(*bytes).substr(0, size)));
+        raks::test::write_damaged(file, std::string_view(*bytes).substr(0, size));
         EXPECT_FALSE(load_shard(file)) << size;
     }
     for (std::uint64_t i = 0; i < 200; ++i) {
         // The head, where the sizes are, more often than the numbers behind it.
         const std::size_t reach = i % 2 == 0 ? 300 : bytes->size();
-        ASSERT_TRUE(write_file(file, raks::test::mangled(*bytes, {.seed = i, .reach = reach})));
+        raks::test::write_damaged(file, raks::test::mangled(*bytes, {.seed = i, .reach = reach}));
         const auto read = load_shard(file);
         EXPECT_TRUE(read || read.error().message.find('\n') == std::string::npos);
     }

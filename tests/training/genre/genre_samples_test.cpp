@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "base/random.hpp"
+#include "tests/support/damaged_file.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "training/genre/network_trainer.hpp"
@@ -173,15 +174,15 @@ TEST(GenreSamples, cut_and_mangled_files_are_refused_or_read_without_harm) {
     for (std::uint64_t i = 0; i < 200; ++i) {
         const std::size_t size =
             i < 100 ? static_cast<std::size_t>(i) : random.below(i, bytes->size());
-        ASSERT_TRUE(write_file(file, std::string_view(*bytes).substr(0, size)));
+        raks::test::write_damaged(file, std::string_view(*bytes).substr(0, size));
         const auto read = load_samples(file);
         ASSERT_FALSE(read) << size;
         EXPECT_EQ(read.error().message.find('\n'), std::string::npos);
     }
     for (std::uint64_t i = 0; i < 300; ++i) {
         const std::size_t reach = i % 2 == 0 ? 120 : bytes->size();
-        ASSERT_TRUE(
-            write_file(file, raks::test::mangled(*bytes, {.seed = i, .bytes = 4, .reach = reach})));
+        raks::test::write_damaged(
+            file, raks::test::mangled(*bytes, {.seed = i, .bytes = 4, .reach = reach}));
         if (const auto read = load_samples(file)) {
             for (const PieceFeatures& piece : read->pieces) {
                 for (const float value : piece.mel) {

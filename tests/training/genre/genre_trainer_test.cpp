@@ -15,6 +15,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "base/random.hpp"
+#include "tests/support/damaged_file.hpp"
 #include "tests/support/dances.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -327,7 +328,7 @@ TEST(GenreTraining, pieces_read_back_and_cut_ones_are_refused) {
     for (std::uint64_t i = 0; i < 60; ++i) {
         const std::size_t size =
             i < 30 ? static_cast<std::size_t>(i) : random.below(i, bytes->size());
-        ASSERT_TRUE(write_file(file, std::string_view(*bytes).substr(0, size)));
+        raks::test::write_damaged(file, std::string_view(*bytes).substr(0, size));
         const auto cut = load_pieces(file);
         // Cut right behind the name of the format it holds nothing.
         EXPECT_TRUE(!cut || cut->empty()) << size;

@@ -1,0 +1,97 @@
+// Points of a capture on the stage.
+#include "render/scene/point_figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace raks::render::point_figure_test {
+namespace {
+
+// A person of 1.8 m of three points, standing on a floor of its own, in millimetres with z up; the
+// knee is not seen in the second frame.
+motion::PointClip standing() {
+    motion::PointClip clip;
+    clip.names = {"head", "knee", "foot"};
+    clip.frames_per_second = 100.0;
+    clip.frame_count = 2;
+    const glm::dvec3 unseen(std::numeric_limits<double>::quiet_NaN());
+    clip.positions = {{1000.0, 0.0, 2300.0},
+                      {1000.0, 50.0, 1000.0},
+                      {1000.0, 0.0, 500.0},
+                      {1400.0, 0.0, 2300.0},
+                      unseen,
+                      {1400.0, 0.0, 500.0}};
+    return clip;
+}
+
+struct Span {
+    float low = 1e9F;
+    float high = -1e9F;
+};
+Span span_of(const ClipFigure& figure, int axis) {
+    Span span;
+    for (const StickVertex& vertex : figure.shape.vertices) {
+        span.low = std::min(span.low, vertex.position[axis]);
+        span.high = std::max(span.high, vertex.position[axis]);
+    }
+    return span;
+}
+
+TEST(PointFigures, what_a_file_does_not_say_is_guessed_from_the_points) {
+    motion::PointClip clip = standing();
+    const GuessedPointFrame guess = guess_point_frame(clip);
+    EXPECT_TRUE(guess.is_unit_guessed && guess.is_up_guessed);
+    EXPECT_EQ(guess.frame.metres_per_unit, 0.001);
+    EXPECT_EQ(guess.frame.up, glm::dvec3(0.0, 0.0, 1.0));
+    clip.metres_per_unit = 0.0254;
+    clip.up = glm::dvec3(0.0, 1.0, 0.0);
+    const GuessedPointFrame said = guess_point_frame(clip);
+    EXPECT_FALSE(said.is_unit_guessed || said.is_up_guessed);
+    EXPECT_EQ(said.frame.metres_per_unit, 0.0254);
+    EXPECT_EQ(said.frame.up, *clip.up);
+}
+
+TEST(PointFigures, stand_upright_on_the_floor_in_the_middle_of_their_way) {
+    const motion::PointClip clip = standing();
+    const auto figures = PointFigures::create(clip, guess_point_frame(clip).frame);
+    ASSERT_TRUE(figures) << figures.error().message;
+    EXPECT_NEAR(figures->size(), 1.8F / 1.714F, 1e-3F);
+    const ClipFigure first = figures->at(0);
+    EXPECT_NEAR(span_of(first, 1).low, 0.0F, 0.02F);
+    EXPECT_NEAR(span_of(first, 1).high, 1.8F, 0.02F);
+    EXPECT_NEAR(span_of(first, 0).low, -0.2F, 0.02F);
+    EXPECT_NEAR(span_of(figures->at(1), 0).high, 0.2F, 0.02F);
+    // One sphere fewer where a point was not seen.
+    EXPECT_EQ(3 * figures->at(1).shape.vertices.size(), 2 * first.shape.vertices.size());
+}
+
+TEST(PointFigures, that_cannot_be_drawn_are_refused) {
+    motion::PointClip many = standing();
+    many.names.resize(1001);
+    EXPECT_EQ(PointFigures::create(many, {}).error().message,
+              "has 1001 points; at most 1000 can be drawn");
+    EXPECT_FALSE(PointFigures::create(motion::PointClip{}, {}));
+    motion::PointClip dark = standing();
+    dark.positions.assign(6, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_EQ(PointFigures::create(dark, {}).error().message,
+              "has no frame in which a point is seen");
+}
+
+TEST(PointFigures, of_the_most_points_fit_one_mesh) {
+    motion::PointClip most;
+    most.names.resize(1000);
+    most.frame_count = 1;
+    for (int i = 0; i < 1000; ++i) {
+        most.positions.emplace_back(0.0, 0.002 * i, 0.0);
+    }
+    const auto figures = PointFigures::create(most, {});
+    ASSERT_TRUE(figures);
+    EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
+}
+
+}  // namespace
+}  // namespace raks::render::point_figure_test
