@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/pose.hpp"
-#include "motion/skeleton/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 #include <glm/vec3.hpp>

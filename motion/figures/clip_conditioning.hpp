@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/pose.hpp"
-#include "motion/skeleton/retarget.hpp"
 
 /// Clip conditioning: prepares recorded motion for training. Faults are bridged, and noise above
 /// the frequencies of dancing is filtered out.

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/humanoid.hpp"
-#include "motion/skeleton/retarget.hpp"
 
 /// Foot events: contacts and landings of recorded or evaluated motion. A contact is a toe at rest
 /// on the floor; a landing is the moment when a step's speed falls under a limit. The feet passed

@@ -1,7 +1,5 @@
 #include "motion/skeleton/humanoid_mapping.hpp"
 
-#include "motion/skeleton/body/joint_finder.hpp"
-
 namespace raks::motion {
 
 std::optional<Bone> mapped_parent(const HumanoidMapping& mapping, Bone bone) {
@@ -12,14 +10,6 @@ std::optional<Bone> mapped_parent(const HumanoidMapping& mapping, Bone bone) {
         }
     }
     return std::nullopt;
-}
-
-Expected<HumanoidMapping> map_humanoid(const MotionClip& clip) {
-    const Expected<FoundJoints> found = find_joints(clip);
-    if (!found) {
-        return fail(found.error());
-    }
-    return found->mapping;
 }
 
 }  // namespace raks::motion

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/skeleton/body/joint_labels.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

@@ -10,7 +10,7 @@
 #include "motion/figures/clip_conditioning.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/motion_features.hpp"
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "training/figures/state_learning.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {

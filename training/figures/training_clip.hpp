@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/skeleton/body/joint_labels.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 #include "training/figures/figure_trainer.hpp"
 
 #include <glm/vec3.hpp>

@@ -92,7 +92,7 @@ class Finder {
     /// A bone cannot lie above what it is a part of.
     void drop_upside_down() {
         for (const Bone bone : all_bones()) {
-            const std::optional<Bone> parent = nearest_above(found_.mapping, bone);
+            const std::optional<Bone> parent = mapped_parent(found_.mapping, bone);
             if (!has(bone) || !parent || tree_.is_below(joint(bone), joint(*parent))) {
                 continue;
             }

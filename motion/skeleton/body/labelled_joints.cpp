@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -43,16 +44,6 @@ Expected<std::size_t> joint_called(const MotionClip& clip, const JointLabel& lab
 
 }  // namespace
 
-std::optional<Bone> nearest_above(const HumanoidMapping& mapping, Bone bone) {
-    while (bone != Bone::hips) {
-        bone = static_cast<Bone>(kBoneParents[index_of(bone)]);
-        if (mapping.joint(bone)) {
-            return bone;
-        }
-    }
-    return std::nullopt;
-}
-
 Expected<HumanoidMapping> labelled_joints(const MotionClip& clip, const ParentTree& tree) {
     HumanoidMapping mapping;
     for (const JointLabel& label : clip.labels.joints) {
@@ -63,7 +54,7 @@ Expected<HumanoidMapping> labelled_joints(const MotionClip& clip, const ParentTr
         mapping.joints[index_of(label.bone)] = *joint;
     }
     for (const JointLabel& label : clip.labels.joints) {
-        const std::optional<Bone> above = nearest_above(mapping, label.bone);
+        const std::optional<Bone> above = mapped_parent(mapping, label.bone);
         if (!above) {
             continue;
         }

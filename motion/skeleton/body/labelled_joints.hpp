@@ -1,8 +1,6 @@
 // Labelled joints: what a person said of a clip's joints, checked against the clip.
 #pragma once
 
-#include <optional>
-
 #include "base/expected.hpp"
 #include "motion/skeleton/body/parent_tree.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
@@ -15,8 +13,5 @@ namespace raks::motion {
 /// does not hang on the nearest said one that it is a part of.
 [[nodiscard]] Expected<HumanoidMapping> labelled_joints(const MotionClip& clip,
                                                         const ParentTree& tree);
-
-/// The nearest bone above `bone` that a mapping has.
-[[nodiscard]] std::optional<Bone> nearest_above(const HumanoidMapping& mapping, Bone bone);
 
 }  // namespace raks::motion

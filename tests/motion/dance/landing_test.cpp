@@ -12,7 +12,7 @@
 #include "motion/evaluate/dance_metrics.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/foot_events.hpp"
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "tests/motion/dance/stage.hpp"
 
 #include <glm/geometric.hpp>

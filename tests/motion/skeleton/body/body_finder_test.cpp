@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/motion/skeleton/clip_variants.hpp"
 

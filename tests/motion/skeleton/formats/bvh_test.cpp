@@ -1,4 +1,5 @@
 #include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/body/joint_finder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/joint_finder.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -183,14 +185,14 @@ TEST(Bvh, written_poses_read_back) {
     const auto clip = read_bvh(path);
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_NEAR(clip->frames_per_second, 30.0, 1e-6);
-    const auto mapping = map_humanoid(*clip);
+    const auto mapping = find_joints(*clip);
     ASSERT_TRUE(mapping) << mapping.error().message;
     for (std::size_t frame = 0; frame < poses.size(); ++frame) {
         const ClipWorldPose read = world_pose(*clip, frame);
         const WorldPose written = world_pose(mannequin_skeleton(), poses[frame]);
         for (const Bone bone : {Bone::hips, Bone::head, Bone::left_hand, Bone::right_foot}) {
             const glm::dvec3 error =
-                read.positions[*mapping->joint(bone)] - glm::dvec3(written.position(bone));
+                read.positions[*mapping->mapping.joint(bone)] - glm::dvec3(written.position(bone));
             EXPECT_LT(glm::length(error), 1e-5) << kBoneNames[index_of(bone)];
         }
     }
@@ -209,7 +211,7 @@ TEST(Bvh, poses_that_cannot_be_written_are_refused) {
 }
 
 TEST(Humanoid, what_is_no_humanoid_is_said) {
-    const auto two = map_humanoid(clip_of("odd/two_joints.bvh"));
+    const auto two = find_joints(clip_of("odd/two_joints.bvh"));
     ASSERT_FALSE(two);
     EXPECT_EQ(two.error().message.rfind("no humanoid: ", 0), 0U) << two.error().message;
 }

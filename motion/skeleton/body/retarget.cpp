@@ -1,4 +1,4 @@
-#include "motion/skeleton/retarget.hpp"
+#include "motion/skeleton/body/retarget.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "motion/skeleton/body/joint_labels.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 
 #include "base/toml_reader.hpp"
 

@@ -1,5 +1,5 @@
 // Joint maps and --joint lines.
-#include "motion/skeleton/body/joint_labels.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 
 #include <gtest/gtest.h>
 
