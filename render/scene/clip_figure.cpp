@@ -171,33 +171,6 @@ void ClipFigures::face_us() {
     }
 }
 
-/// Turns the body so that it faces us on the whole, by the line of its hip sockets: the mean of all
-/// frames, or the first where it turns about. A body that nearly does keeps its axes.
-void ClipFigures::face_us() {
-    const auto left = mapping_.joint(motion::Bone::left_upper_leg);
-    const auto right = mapping_.joint(motion::Bone::right_upper_leg);
-    if (!left || !right) {
-        return;
-    }
-    const auto ahead = [&](std::size_t frame) {
-        const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
-        const glm::dvec3 across = world.positions[*left] - world.positions[*right];
-        const glm::dvec3 way(-across.z, 0.0, across.x);
-        return glm::length(way) > 0.0 ? glm::normalize(way) : glm::dvec3(0.0);
-    };
-    glm::dvec3 mean(0.0);
-    for (std::size_t frame = 0; frame < clip_.frame_count; ++frame) {
-        mean += ahead(frame) / static_cast<double>(clip_.frame_count);
-    }
-    constexpr double kOnTheWhole = 0.4;  // length of a mean of directions
-    const glm::dvec3 face = glm::length(mean) > kOnTheWhole ? mean : ahead(0);
-    const double heading = std::atan2(face.x, face.z);
-    constexpr double kNearly = 0.5;  // radians
-    if (std::abs(heading) > kNearly) {
-        facing_ = glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0));
-    }
-}
-
 /// Under the middle of the root's way, at the height of the floor.
 void ClipFigures::find_origin() {
     glm::dvec3 low(1e300);

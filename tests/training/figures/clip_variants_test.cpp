@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
-#include "base/file.hpp"
 #include "tests/motion/skeleton/clip_variants.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "training/figures/figure_trainer.hpp"
@@ -39,7 +39,7 @@ class ClipVariants : public ::testing::Test {
     /// The numbers of a figure that is learnt from the clip as a file.
     std::vector<double> learnt(const MotionClip& clip) {
         const auto path = folder_.path() / "clip.bvh";
-        EXPECT_TRUE(write_file(path, bvh_text(clip)));
+        std::ofstream(path) << bvh_text(clip);
         std::vector<std::string> warnings;
         const auto loaded = load_clip(path, ClipUnits{}, warnings);
         EXPECT_TRUE(loaded) << loaded.error().message;
@@ -54,7 +54,7 @@ class ClipVariants : public ::testing::Test {
         return numbers_of(result->model);
     }
 
-    test::TemporaryFolder folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(ClipVariants, teach_the_same_figure) {
