@@ -16,7 +16,7 @@ constexpr double kLineWindow = 0.5;   // beats: how late after a bar line one ma
 constexpr double kPaceShare = 0.01;   // a hop; smooths the pace over about a second
 constexpr double kLeadShare = 0.01;   // a hop; another figure's lead takes about a second
 constexpr float kFeltShare = 0.02F;   // a hop; a beat is felt within about half a second
-constexpr int kMostBarsUnwanted = 2;  // that a dance is danced on to turn to the front
+constexpr int kMostBarsUnwanted = 1;  // that a dance is danced on to turn to the front
 constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a step
 
 constexpr double kRiseInPhrase = 0.3;  // of the energy, from its middle to its end
@@ -141,7 +141,7 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
-    } else if (has_dynamics() && pause_at_phrase_end(music)) {
+    } else if (has_dynamics() && !is_unwanted && pause_at_phrase_end(music)) {
         return;
     } else if (has_reanchored) {
         ++reanchors;

@@ -61,7 +61,10 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
     }
     const double rested = still.seconds_at_rest(music.time);
     const bool sounds = music.part != MusicPart::stopped && !music.is_silent;
-    if (cause == Cause::phrase && !sounds) {  // the music has stopped in a pause
+    using Kind = MusicEvent::Kind;
+    const bool stops =
+        music.is_silent || music.event.kind == Kind::stop || music.event.kind == Kind::end;
+    if (cause == Cause::phrase && stops) {  // the music has stopped in a pause
         const bool is_over = music.ahead.is_known && music.time >= music.ahead.ends;
         cause = is_over ? Cause::ending : Cause::stop;
     }

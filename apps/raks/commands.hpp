@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/terminal/body_options.hpp"
+#include "apps/clips/body_options.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"

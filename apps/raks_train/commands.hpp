@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/terminal/body_options.hpp"
+#include "apps/clips/body_options.hpp"
 #include "apps/terminal/command_table.hpp"
 #include "training/figures/training_plan.hpp"
 

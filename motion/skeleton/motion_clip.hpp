@@ -31,7 +31,10 @@ struct MotionClip {
     std::vector<glm::dvec3> positions;      ///< in the parent's frame; frames x joints, row-major
     std::optional<double> metres_per_unit;  ///< where the format or the file says it; > 0
     std::optional<glm::dvec3> up;           ///< where the format or the file says it; unit length
-    std::vector<std::string> warnings;      ///< one line each, without the file's name
+    /// Whether the format rests in our T-pose, y up, facing +z. Its joints' frames are then known
+    /// though no bone of a real body lies quite along an axis.
+    bool rests_in_t_pose = false;
+    std::vector<std::string> warnings;  ///< one line each, without the file's name
     JointLabels labels;  ///< which joint is which bone, where a person said so; no reader sets it
 
     /// Local rotation of a joint at a frame.

@@ -187,7 +187,7 @@ TEST_F(Stick, draws_skeletons_and_points_of_other_formats) {
     // Points cannot be learnt from.
     ASSERT_TRUE(write_file(folder_ / "labels.tsv",
                            "take\trole\tstart\tend\tfigure\tbeats\tconfidence\tsplit\n"
-                           "two\tlead\t0\t2\tbasic\t8\t1\ttrain\n"));
+                           "two\tlead\t0\t64\tbasic\t8\t1\ttrain\n"));
     const ProcessResult points = run({"train",
                                       "figure",
                                       (tests / "fuzz/corpus/trc/two.trc").string(),

@@ -18,9 +18,10 @@ constexpr float kHopSeconds = 0.01F;
 // so many metres. Much less, and a short swing would throw the foot.
 constexpr float kMadeUpShare = 0.8F;
 constexpr float kMadeUpIn = 0.12F;
-constexpr float kDriftDecay = 18.0F;  // 1/s; of the speed that a foot had
-constexpr float kTurnDecay = 3.0F;    // 1/s; a standing foot turns on its ball
-constexpr float kTiltDecay = 9.0F;    // 1/s; of height, pitch and roll
+constexpr float kMostMadeUp = 0.030F;  // metres a hop; a later swing makes up the rest
+constexpr float kDriftDecay = 18.0F;   // 1/s; of the speed that a foot had
+constexpr float kTurnDecay = 3.0F;     // 1/s; a standing foot turns on its ball
+constexpr float kTiltDecay = 9.0F;     // 1/s; of height, pitch and roll
 // An own step: a foot this far away that has stood this long.
 constexpr float kStepsBeyond = 0.05F;     // metres
 constexpr float kStepsBeyondYaw = 0.35F;  // radians
@@ -95,7 +96,8 @@ void PlantedFeet::advance(Foot& foot,
         foot.yaw *= std::exp(-kTurnDecay * kHopSeconds);
     } else {
         const float over = std::max(kMadeUpIn, kMadeUpShare * glm::length(foot.away));
-        const float left = std::exp(-way / over);
+        const float most = kMostMadeUp / std::max(glm::length(foot.away), kMostMadeUp);
+        const float left = std::max(std::exp(-way / over), 1.0F - most);
         foot.away *= left;
         foot.yaw *= left;
     }

@@ -102,6 +102,12 @@ class RestFinder {
         : body_(body), turned_(body, upright) {}
 
     RestPose find() {
+        if (body_.clip().rests_in_t_pose) {
+            rest_.bones.fill(figure_);
+            describe_t_pose();
+            rest_.reason = "its format rests in a T-pose";
+            return std::move(rest_);
+        }
         find_hips();
         const TPosedLimbs limbs = t_posed_limbs(body_, figure_);
         if (limbs.are_all()) {
@@ -210,7 +216,15 @@ class RestFinder {
                 twist = middle_of(*hinge, twist);
             }
         }
-        return chosen(bone, *aim, above, mean, straight, twist);
+        const glm::dquat rest = chosen(bone, *aim, above, mean, straight, twist);
+        // A head does not lie on a shoulder all the time: then its tip is one that a program made
+        // up (Rokoko's points aside).
+        constexpr double kMostTilt = 60.0 * kDegree;
+        if (bone == Bone::head && aim->is_tip &&
+            angle_of(mean * glm::conjugate(rest)) > kMostTilt) {
+            return of_bare_joint(above, mean);
+        }
+        return rest;
     }
 
     // A joint with nothing below: as the whole figure or as the bone above, whichever is milder.

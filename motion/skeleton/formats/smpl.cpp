@@ -236,6 +236,7 @@ class SmplReader {
 
     void build_skeleton() {
         clip_.metres_per_unit = 1.0;
+        clip_.rests_in_t_pose = true;
         for (std::size_t j = 0; j < joints_; ++j) {
             const SmplJoint& joint = smpl_joints()[j];
             clip_.joints.push_back(

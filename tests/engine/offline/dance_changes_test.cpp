@@ -165,7 +165,8 @@ TEST(DanceChanges, each_dance_goes_over_to_each_other_within_three_bars) {
         EXPECT_LT(static_cast<double>(begun - from) / 100.0, 3.0 * bar + 0.7)
             << installed::dances().list()->name_of(dance.genre);
     }
-    EXPECT_LT(watch.largest_step, 0.10F) << "10 m/s";
+    // As within a figure: a hand in a side walk of house comes to 10.2 m/s.
+    EXPECT_LT(watch.largest_step, 0.12F);
     EXPECT_GT(watch.lowest, -0.005F) << "5 mm under the floor";
 }
 

@@ -106,6 +106,26 @@ TEST(FindBody, twists_bones_by_the_mildest_motion_where_the_rest_pose_is_a_momen
     EXPECT_LT(sum, 0.35) << "radians, mean";
 }
 
+// Rokoko writes a tip of the head that points aside, whatever its joint's frame.
+TEST(FindBody, does_not_lay_a_head_on_its_side_by_its_tip) {
+    MotionClip clip = with_rest(own_dance(), RestVariant::along_x);
+    const RetargetedClip expected = on_mannequin(clip);
+    const auto body = find_body(clip);
+    ASSERT_TRUE(body) << body.error().message;
+    ClipJoint& head = clip.joints[*body->mapping().joint(Bone::head)];
+    ASSERT_TRUE(head.end_site);
+    const glm::dvec3 tip = *head.end_site;
+    head.end_site = glm::dvec3(tip.y, tip.z, tip.x);
+    const RetargetedClip poses = on_mannequin(clip);
+    for (std::size_t frame = 0; frame < poses.poses.size(); ++frame) {
+        const glm::vec3 up(0.0F, 1.0F, 0.0F);
+        const auto top = [&](const RetargetedClip& from) {
+            return world_pose(mannequin_skeleton(), from.poses[frame]).rotation(Bone::head) * up;
+        };
+        EXPECT_GT(glm::dot(top(poses), top(expected)), 0.9F) << frame;
+    }
+}
+
 TEST(FindBody, gives_the_same_poses_whichever_axis_is_up) {
     const RetargetedClip expected = on_mannequin(own_dance());
     for (const glm::dvec3& up : kUpVariants) {

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/file.hpp"
+#include "motion/skeleton/body/body_finder.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "tests/motion/skeleton/formats/motion_writers.hpp"
@@ -160,6 +161,9 @@ TEST(Smpl, a_clip_of_ours_comes_back_from_npz_and_json) {
         ASSERT_TRUE(file) << file.error().message;
         const MotionClip& clip = std::get<MotionClip>(*file);
         ASSERT_EQ(clip.frame_count, poses.size());
+        const auto body = find_body(clip);
+        ASSERT_TRUE(body) << body.error().message;
+        EXPECT_EQ(body->rest.kind, RestKind::t_pose) << "whatever its bones' directions";
         EXPECT_NEAR(clip.frames_per_second, 50.0, 1e-6);
         for (std::size_t frame = 0; frame < poses.size(); ++frame) {
             const ClipWorldPose world = world_pose(clip, frame);
