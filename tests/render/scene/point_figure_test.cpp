@@ -61,10 +61,11 @@ TEST(PointFigures, stand_upright_on_the_floor_in_the_middle_of_their_way) {
     ASSERT_TRUE(figures) << figures.error().message;
     EXPECT_NEAR(figures->size(), 1.8F / 1.714F, 1e-3F);
     const ClipFigure first = figures->at(0);
-    EXPECT_NEAR(span_of(first, 1).low, 0.0F, 0.02F);
-    EXPECT_NEAR(span_of(first, 1).high, 1.8F, 0.02F);
-    EXPECT_NEAR(span_of(first, 0).low, -0.2F, 0.02F);
-    EXPECT_NEAR(span_of(figures->at(1), 0).high, 0.2F, 0.02F);
+    // Points are drawn as spheres of 2.5 cm.
+    EXPECT_NEAR(span_of(first, 1).low, 0.0F, 0.03F);
+    EXPECT_NEAR(span_of(first, 1).high, 1.8F, 0.03F);
+    EXPECT_NEAR(span_of(first, 0).low, -0.2F, 0.03F);
+    EXPECT_NEAR(span_of(figures->at(1), 0).high, 0.2F, 0.03F);
     // One sphere fewer where a point was not seen.
     EXPECT_EQ(3 * figures->at(1).shape.vertices.size(), 2 * first.shape.vertices.size());
 }

@@ -108,7 +108,7 @@ TEST_F(TrainingPlan, says_in_one_line_what_is_missing) {
     plan_.clips = {folder_ / "60_98.bvh"};
     EXPECT_EQ(failure(), "labels.tsv: line 2: no clip named 60_99 was given");
     plan_.clips = {};
-    EXPECT_EQ(failure(), "no clips given; name BVH files or their folder");
+    EXPECT_EQ(failure(), "no clips given; name motion files or their folder");
 }
 
 TEST_F(TrainingPlan, refuses_labels_beyond_the_clip_and_bodies_that_are_none) {
