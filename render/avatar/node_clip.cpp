@@ -26,10 +26,6 @@ std::vector<std::size_t> parents_first(const Model& model) {
     return order;
 }
 
-glm::vec3 place_at(const AnimationChannel* channel, float seconds, const glm::vec3& stored) {
-    return channel == nullptr ? stored : glm::vec3(sample_channel(*channel, seconds));
-}
-
 }  // namespace
 
 NodeClip::NodeClip(const Model& model, std::size_t animation, const BoneRest& rest)
@@ -43,37 +39,17 @@ NodeClip::NodeClip(const Model& model, std::size_t animation, const BoneRest& re
             continue;
         }
         duration_ = std::max(duration_, channel.times.back());
-        Moved& moved = moved_[static_cast<std::size_t>(channel.node)];
-        switch (channel.path) {
-            case ChannelPath::translation:
-                moved.translation = &channel;
-                break;
-            case ChannelPath::rotation:
-                moved.rotation = &channel;
-                break;
-            case ChannelPath::scale:
-                moved.scale = &channel;
-                break;
-            case ChannelPath::weights:
-                break;
-        }
+        moved_[static_cast<std::size_t>(channel.node)].take(channel);
     }
 }
 
 void NodeClip::move_nodes(float seconds) {
     for (const std::size_t i : order_) {
         const ModelNode& node = model_.nodes[i];
-        const Moved& moved = moved_[i];
-        glm::quat rotation = node.rotation;
-        if (moved.rotation != nullptr) {
-            const glm::vec4 q = sample_channel(*moved.rotation, seconds);
-            rotation = {q.w, q.x, q.y, q.z};
-        }
-        const glm::mat4 local =
-            glm::translate(glm::mat4(1.0F),
-                           place_at(moved.translation, seconds, node.translation)) *
-            glm::mat4_cast(rotation) *
-            glm::scale(glm::mat4(1.0F), place_at(moved.scale, seconds, node.scale));
+        const NodePlace place = moved_[i].at(node, seconds);
+        const glm::mat4 local = glm::translate(glm::mat4(1.0F), place.translation) *
+                                glm::mat4_cast(place.rotation) *
+                                glm::scale(glm::mat4(1.0F), place.scale);
         world_[i] = node.parent < 0 ? local : world_[static_cast<std::size_t>(node.parent)] * local;
     }
 }

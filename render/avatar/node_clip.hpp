@@ -7,6 +7,7 @@
 
 #include "motion/skeleton/humanoid.hpp"
 #include "motion/skeleton/pose.hpp"
+#include "render/model/animation_channel.hpp"
 #include "render/model/model.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -38,18 +39,13 @@ class NodeClip {
     [[nodiscard]] motion::Pose pose_at(float seconds);
 
  private:
-    struct Moved {
-        const AnimationChannel* translation = nullptr;
-        const AnimationChannel* rotation = nullptr;
-        const AnimationChannel* scale = nullptr;
-    };
     void move_nodes(float seconds);
 
     const Model& model_;
     BoneRest rest_;
-    std::vector<std::size_t> order_;  // nodes, parents first
-    std::vector<Moved> moved_;        // by node
-    std::vector<glm::mat4> world_;    // by node, as of the last pose
+    std::vector<std::size_t> order_;   // nodes, parents first
+    std::vector<NodeChannels> moved_;  // by node
+    std::vector<glm::mat4> world_;     // by node, as of the last pose
     float duration_ = 0.0F;
 };
 

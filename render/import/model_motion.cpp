@@ -49,13 +49,6 @@ glm::dquat turn_of(const glm::dmat4& matrix) {
     return glm::normalize(glm::quat_cast(axes));
 }
 
-// What moves a node.
-struct MovedNode {
-    const AnimationChannel* translation = nullptr;
-    const AnimationChannel* rotation = nullptr;
-    const AnimationChannel* scale = nullptr;
-};
-
 class ModelMotion {
  public:
     ModelMotion(const Model& model, const ModelAnimation& animation)
@@ -101,20 +94,10 @@ class ModelMotion {
         if (channel.times.empty() || channel.node < 0) {
             return;
         }
-        MovedNode& moved = moved_[static_cast<std::size_t>(channel.node)];
-        switch (channel.path) {
-            case ChannelPath::translation:
-                moved.translation = &channel;
-                break;
-            case ChannelPath::rotation:
-                moved.rotation = &channel;
-                break;
-            case ChannelPath::scale:
-                moved.scale = &channel;
-                break;
-            case ChannelPath::weights:
-                return;
+        if (channel.path == ChannelPath::weights) {
+            return;
         }
+        moved_[static_cast<std::size_t>(channel.node)].take(channel);
         begin_ = has_keys_ ? std::min(begin_, channel.times.front()) : channel.times.front();
         end_ = has_keys_ ? std::max(end_, channel.times.back()) : channel.times.back();
         has_keys_ = true;
@@ -143,9 +126,7 @@ class ModelMotion {
             }
             if (std::find(is_joint.begin(), is_joint.end(), true) == is_joint.end()) {
                 for (std::size_t node = 0; node < moved_.size(); ++node) {
-                    is_joint[node] = moved_[node].translation != nullptr ||
-                                     moved_[node].rotation != nullptr ||
-                                     moved_[node].scale != nullptr;
+                    is_joint[node] = moved_[node].is_moved();
                 }
             }
         }
@@ -230,20 +211,12 @@ class ModelMotion {
         for (const int index : order_) {
             const auto at = static_cast<std::size_t>(index);
             const ModelNode& node = model_.nodes[at];
-            const MovedNode moved = seconds ? moved_[at] : MovedNode{};
-            const auto place = [&](const AnimationChannel* channel, const glm::vec3& stored) {
-                return glm::dvec3(
-                    channel == nullptr ? stored : glm::vec3(sample_channel(*channel, *seconds)));
-            };
-            glm::dquat rotation(node.rotation);
-            if (moved.rotation != nullptr) {
-                const glm::vec4 q = sample_channel(*moved.rotation, *seconds);
-                rotation = glm::dquat(glm::quat(q.w, q.x, q.y, q.z));
-            }
+            const NodePlace place =
+                seconds ? moved_[at].at(node, *seconds) : NodeChannels{}.at(node, 0.0F);
             const glm::dmat4 local =
-                glm::translate(glm::dmat4(1.0), place(moved.translation, node.translation)) *
-                glm::mat4_cast(glm::normalize(rotation)) *
-                glm::scale(glm::dmat4(1.0), place(moved.scale, node.scale));
+                glm::translate(glm::dmat4(1.0), glm::dvec3(place.translation)) *
+                glm::mat4_cast(glm::normalize(glm::dquat(place.rotation))) *
+                glm::scale(glm::dmat4(1.0), glm::dvec3(place.scale));
             world[at] =
                 node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local;
         }
@@ -272,7 +245,7 @@ class ModelMotion {
 
     const Model& model_;
     std::vector<int> order_;                  // nodes, parents first
-    std::vector<MovedNode> moved_;            // by node
+    std::vector<NodeChannels> moved_;         // by node
     const AnimationChannel* keys_ = nullptr;  // of the most keys
     bool has_keys_ = false;
     float begin_ = 0.0F;  // seconds: the first key

@@ -91,4 +91,35 @@ glm::vec4 sample_channel(const AnimationChannel& channel, float seconds) noexcep
     return length > 0.0F ? value / length : glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
 }
 
+void NodeChannels::take(const AnimationChannel& channel) noexcept {
+    switch (channel.path) {
+        case ChannelPath::translation:
+            translation = &channel;
+            break;
+        case ChannelPath::rotation:
+            rotation = &channel;
+            break;
+        case ChannelPath::scale:
+            scale = &channel;
+            break;
+        case ChannelPath::weights:
+            break;
+    }
+}
+
+NodePlace NodeChannels::at(const ModelNode& node, float seconds) const noexcept {
+    NodePlace place{node.translation, node.rotation, node.scale};
+    if (translation != nullptr) {
+        place.translation = glm::vec3(sample_channel(*translation, seconds));
+    }
+    if (rotation != nullptr) {
+        const glm::vec4 q = sample_channel(*rotation, seconds);
+        place.rotation = {q.w, q.x, q.y, q.z};
+    }
+    if (scale != nullptr) {
+        place.scale = glm::vec3(sample_channel(*scale, seconds));
+    }
+    return place;
+}
+
 }  // namespace raks::render
