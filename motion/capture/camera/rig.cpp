@@ -1,0 +1,151 @@
+#include "motion/capture/camera/rig.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/printable.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace raks::capture {
+
+namespace {
+
+bool is_finite(const Camera& camera) noexcept {
+    bool finite = std::isfinite(camera.lens.fx) && std::isfinite(camera.lens.fy) &&
+                  std::isfinite(camera.lens.cx) && std::isfinite(camera.lens.cy);
+    for (const double k : camera.lens.distortion) {
+        finite = finite && std::isfinite(k);
+    }
+    for (int i = 0; i < 3; ++i) {
+        finite = finite && std::isfinite(camera.translation[i]);
+        for (int j = 0; j < 3; ++j) {
+            finite = finite && std::isfinite(camera.rotation[i][j]);
+        }
+    }
+    return finite;
+}
+
+// The greatest entry of R^T R - 1.
+double rotation_error(const glm::dmat3& rotation) noexcept {
+    const glm::dmat3 product = glm::transpose(rotation) * rotation;
+    double worst = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            worst = std::max(worst, std::abs(product[i][j] - (i == j ? 1.0 : 0.0)));
+        }
+    }
+    return worst;
+}
+
+std::string fault_of(const Camera& camera) {
+    if (camera.lens.width <= 0 || camera.lens.height <= 0) {
+        return "its picture has no size";
+    }
+    if (!is_finite(camera)) {
+        return "a number is not finite";
+    }
+    if (!(camera.lens.fx > 0.0) || !(camera.lens.fy > 0.0)) {
+        return "its focal length is not positive";
+    }
+    constexpr double kLargestError = 1e-3;
+    if (rotation_error(camera.rotation) > kLargestError) {
+        return "its rotation is none: columns of length 1 at right angles are needed";
+    }
+    if (glm::determinant(camera.rotation) < 0.0) {
+        return "its rotation is a mirror image (determinant -1): is an axis turned round?";
+    }
+    return {};
+}
+
+std::string off_centre(const Lens& lens) {
+    const auto is_outer = [](double centre, int size) {
+        return centre < 0.25 * size || centre > 0.75 * size;
+    };
+    if (!is_outer(lens.cx, lens.width) && !is_outer(lens.cy, lens.height)) {
+        return {};
+    }
+    return fmt::format(
+        "its principal point ({:.0f}, {:.0f}) is far from the middle of its {} x {} "
+        "picture: is it that of another picture size?",
+        lens.cx,
+        lens.cy,
+        lens.width,
+        lens.height);
+}
+
+}  // namespace
+
+std::optional<std::size_t> Rig::index_of(std::string_view name) const noexcept {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (cameras[i].name == name) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+Expected<void> check_rig(const Rig& rig) {
+    if (rig.cameras.size() < 2) {
+        return fail(fmt::format("the rig has {} camera{}; two or more are needed",
+                                rig.cameras.size(),
+                                rig.cameras.size() == 1 ? "" : "s"));
+    }
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        const Camera& camera = rig.cameras[i];
+        if (rig.index_of(camera.name) != i) {
+            return fail(fmt::format("two cameras are called \"{}\"", printable(camera.name)));
+        }
+        if (const std::string fault = fault_of(camera); !fault.empty()) {
+            return fail(fmt::format("camera \"{}\": {}", printable(camera.name), fault));
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> rig_doubts(const Rig& rig) {
+    constexpr double kFarthest = 50.0;
+    constexpr double kNearest = 0.05;
+    std::vector<std::string> doubts;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        const Camera& camera = rig.cameras[i];
+        const std::string name = printable(camera.name);
+        for (std::size_t j = 0; j < i; ++j) {
+            const double apart = glm::distance(camera.centre(), rig.cameras[j].centre());
+            if (apart > kFarthest || apart < kNearest) {
+                doubts.push_back(fmt::format(
+                    "cameras \"{}\" and \"{}\" stand {:.3g} m apart: {}",
+                    printable(rig.cameras[j].name),
+                    name,
+                    apart,
+                    apart > kFarthest ? "is this in millimetres?" : "is this in another unit?"));
+            }
+        }
+        if (const std::string fault = off_centre(camera.lens); !fault.empty()) {
+            doubts.push_back(fmt::format("camera \"{}\": {}", name, fault));
+        }
+        if (!is_monotonic(camera.lens)) {
+            doubts.push_back(fmt::format(
+                "camera \"{}\": its distortion folds over inside the picture; calibrate with 5 "
+                "coefficients",
+                name));
+        }
+        if (camera.centre().y < 0.0) {
+            doubts.push_back(
+                fmt::format("camera \"{}\" stands {:.2f} m under the floor: is the "
+                            "floor's board mirrored?",
+                            name,
+                            -camera.centre().y));
+        }
+    }
+    return doubts;
+}
+
+double expected_error(double distance, double f, double sigma, double views) noexcept {
+    return distance * sigma / f * std::sqrt(5.0 / views);
+}
+
+}  // namespace raks::capture
