@@ -17,6 +17,8 @@ packages=(
     libsimdjson-dev libmeshoptimizer-dev libwebp-dev libjpeg62-turbo-dev libexpected-dev libpugixml-dev libseccomp-dev libgtest-dev libgmock-dev
     # learning to hear beats: MIDI rendered, matrices
     libfluidsynth-dev libopenblas-dev
+    # calibrating the cameras of a capture
+    libopencv-calib3d-dev libopencv-imgproc-dev libopencv-contrib-dev libceres-dev
     # what the program and its tests run on
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
     libasound2-plugins dbus sox flac lame opus-tools xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core

@@ -51,5 +51,13 @@ TEST_F(Install, the_program_loads_no_decoder) {
     }
 }
 
+// Calibrating cameras takes OpenCV and Ceres, with some 60 libraries of theirs; dancing does not.
+TEST_F(Install, the_program_loads_nothing_that_calibrates_cameras) {
+    const std::string all = run_program({"ldd", RAKS_PROGRAM});
+    for (const char* library : {"libopencv", "libceres", "libglog", "libcholmod", "libtbb"}) {
+        EXPECT_EQ(all.find(library), std::string::npos) << all;
+    }
+}
+
 }  // namespace
 }  // namespace raks::test
