@@ -61,7 +61,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"motion/dance",
      {"base", "motion/skeleton", "motion/figures", "motion/dance/body", "motion/dance/baking"}},
     {"motion/capture/camera", {"base"}},
-    {"motion/capture/markers", {"base", "motion/skeleton"}},
+    {"motion/capture/markers", {"base", "motion/skeleton", "motion/skeleton/formats"}},
     {"motion/capture/pictures", {"base", "motion/capture/markers"}},
     {"motion/capture/triangulation", {"base", "motion/capture/camera"}},
     {"motion/capture/tracking",

@@ -50,10 +50,16 @@ struct MarkerSet {
 /// places more than half a metre from their joint, a radius outside of 2 to 100 mm.
 [[nodiscard]] Expected<MarkerSet> read_marker_set(std::string_view text, const std::string& file);
 
-/// The set that is shipped: 18 markers of the head, trunk and limbs, and two at the toes, each of a
-/// colour of its own (`unique_colours`) or of five colours so that no two neighbours are alike.
-[[nodiscard]] MarkerSet default_markers();
-/// The same places in the five colours green, blue, magenta, cyan and yellow.
-[[nodiscard]] MarkerSet five_colour_markers();
+/// The same as such a file. Reads back to the same values.
+[[nodiscard]] std::string marker_set_text(const MarkerSet& set);
+
+/// Where the set that is shipped gets its colours from.
+enum class MarkerColours {
+    five,    ///< green, blue, yellow, magenta and cyan, so that no two neighbours are alike
+    unique,  ///< one for each marker: for simulated points, since no film tells so many apart
+};
+/// The set that is shipped: 18 markers of head, trunk and limbs, and two over the toes. Those of
+/// elbows and knees lie beside the hinge, so that a straight limb's twist is seen.
+[[nodiscard]] MarkerSet default_markers(MarkerColours colours = MarkerColours::five);
 
 }  // namespace raks::capture

@@ -1,0 +1,92 @@
+// The clocks of the cameras as a file.
+#include "base/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "motion/capture/markers/observations.hpp"
+
+namespace raks::capture {
+namespace {
+
+constexpr std::string_view kClocksFormat = "raks-clocks";
+
+Clock read_clock(const toml::table& table,
+                 const std::vector<Clock>& clocks,
+                 TomlComplaints& complaints) {
+    constexpr std::array<std::string_view, 4> kKeys = {
+        "camera", "offset", "drift_ppm", "confidence"};
+    constexpr double kLongestOffset = 86400.0;
+    constexpr double kLargestDrift = 5000.0;
+    complaints.check_keys(table, kKeys);
+    Clock clock;
+    clock.camera = complaints.text(table, "camera");
+    if (clock.camera.empty()) {
+        complaints.complain(table, "needs camera = \"NAME\"");
+    }
+    if (std::any_of(clocks.begin(), clocks.end(), [&](const Clock& other) {
+            return other.camera == clock.camera;
+        })) {
+        complaints.complain(table, fmt::format("camera \"{}\" has two clocks", clock.camera));
+    }
+    if (const toml::node* const offset = complaints.needed(table, "offset", "offset = SECONDS")) {
+        clock.offset = complaints.number(*offset, "offset", {-kLongestOffset, kLongestOffset});
+    }
+    complaints.read(table, "drift_ppm", {-kLargestDrift, kLargestDrift}, clock.drift_ppm);
+    complaints.read(table, "confidence", {0.0, 1.0}, clock.confidence);
+    return clock;
+}
+
+}  // namespace
+
+std::string clocks_text(const std::vector<Clock>& clocks) {
+    std::string text = fmt::format(
+        "# capture time = offset + (1 + drift_ppm / 1e6) * camera time, seconds\n"
+        "format = \"{}\"\nversion = 1\n",
+        kClocksFormat);
+    for (const Clock& clock : clocks) {
+        text +=
+            fmt::format("\n[[clock]]\ncamera = {}\noffset = {}\ndrift_ppm = {}\nconfidence = {}\n",
+                        toml_quoted(clock.camera),
+                        clock.offset,
+                        clock.drift_ppm,
+                        clock.confidence);
+    }
+    return text;
+}
+
+Expected<std::vector<Clock>> read_clocks(std::string_view text, const std::string& file) {
+    const Expected<toml::table> root = parse_toml(text, file);
+    if (!root) {
+        return fail(root.error());
+    }
+    TomlComplaints complaints(file);
+    constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "clock"};
+    complaints.check_keys(*root, kKeys);
+    if ((*root)["format"].value<std::string>() != std::string(kClocksFormat)) {
+        complaints.complain(fmt::format("format must be \"{}\"", kClocksFormat));
+    }
+    if ((*root)["version"].value<std::int64_t>() != 1) {
+        complaints.complain("version must be 1; is Raks older than the file?");
+    }
+    std::vector<Clock> clocks;
+    if (const toml::array* const tables = (*root)["clock"].as_array()) {
+        for (const toml::node& node : *tables) {
+            if (const toml::table* const table = node.as_table()) {
+                clocks.push_back(read_clock(*table, clocks, complaints));
+            } else {
+                complaints.complain(node, "a clock must be a table [[clock]]");
+            }
+        }
+    } else {
+        complaints.complain("needs [[clock]] with camera and offset");
+    }
+    if (!complaints.is_sound()) {
+        return fail(complaints.fault());
+    }
+    return clocks;
+}
+
+}  // namespace raks::capture
