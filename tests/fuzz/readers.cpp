@@ -39,6 +39,8 @@ std::span<const Reader> readers() {
         {"genre_samples", read_genre_samples, {}, 300, Content::bytes},
         {"bone_labels", read_bone_label_file, {}, 2000},
         {"joint_map", read_joint_map_file, {}, 2000},
+        {"lens_yaml", read_lens_file, {}, 1000},
+        {"rig", read_rig_file, {}, 1000},
         {"model",
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},

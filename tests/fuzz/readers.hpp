@@ -59,6 +59,8 @@ bool read_sound(std::string_view bytes);        ///< of any format, and seeks in
 bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps
 bool read_bone_label_file(std::string_view text);  ///< labels of avatars
 bool read_joint_map_file(std::string_view text);   ///< of clips; and puts it to one
+bool read_lens_file(std::string_view text);        ///< OpenCV's; and writes it again
+bool read_rig_file(std::string_view text);         ///< of any program; and writes it again
 bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz

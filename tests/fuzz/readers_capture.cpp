@@ -1,0 +1,45 @@
+// What is done with files of cameras: what was read is written, and reads back to the same bits.
+#include <cmath>
+#include <string>
+
+#include "motion/capture/camera/lens_file.hpp"
+#include "motion/capture/camera/rig.hpp"
+#include "motion/capture/camera/rig_file.hpp"
+#include "tests/fuzz/promise.hpp"
+#include "tests/fuzz/readers.hpp"
+
+namespace raks::fuzz {
+
+bool read_lens_file(std::string_view text) {
+    const auto lens = capture::parse_lens_yaml(text, "x.yml");
+    if (!lens) {
+        must_be_one_line(lens.error().message);
+        return false;
+    }
+    const auto again = capture::parse_lens_yaml(capture::lens_yaml_text(*lens), "y.yml");
+    must(again && *again == *lens);
+    static_cast<void>(capture::is_monotonic(*lens));
+    return true;
+}
+
+bool read_rig_file(std::string_view text) {
+    const auto file = capture::parse_rig(text, "x.toml");
+    if (!file) {
+        must_be_one_line(file.error().message);
+        return false;
+    }
+    for (const std::string& note : file->notes) {
+        must_be_one_line(note);
+    }
+    const auto again = capture::parse_rig(capture::rig_text(file->rig), "y.toml");
+    must(again && again->rig == file->rig);
+    for (const std::string& doubt : capture::rig_doubts(file->rig)) {
+        must_be_one_line(doubt);
+    }
+    for (const capture::Camera& camera : file->rig.cameras) {
+        static_cast<void>(capture::direction_of(camera.lens, {0.0, 0.0}));
+    }
+    return true;
+}
+
+}  // namespace raks::fuzz
