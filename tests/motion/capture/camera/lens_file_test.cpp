@@ -11,7 +11,7 @@
 namespace raks::capture {
 namespace {
 
-const std::string kLens =
+const std::string kLensText =
     "%YAML:1.0\n---\ncalibration_time: \"Wed 08 Dec\"\nimage_width: 640\nimage_height: 480\n"
     "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
     "   data: [ 5.5e+02, 0., 320.25, 0.,\n       560, 240., 0., 0., 1. ]\n"
@@ -26,7 +26,7 @@ std::string lens_with(std::string text, const std::string& from, const std::stri
 }
 
 TEST(LensFile, is_read_whatever_else_is_in_it) {
-    const Expected<Lens> lens = parse_lens_yaml(kLens, "a.yml");
+    const Expected<Lens> lens = parse_lens_yaml(kLensText, "a.yml");
     ASSERT_TRUE(lens) << lens.error().message;
     const Lens expected{
         640, 480, 550.0, 560.0, 320.25, 240.0, {-0.25, 0.125, 1e-3, -2e-3, 0.0, 0.0, 0.0, 0.0}};
@@ -51,19 +51,22 @@ TEST(LensFile, of_ours_reads_back_to_the_same_bits) {
 TEST(LensFile, that_is_bad_is_refused_with_its_line) {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {"", "a.yml: line 1: does not begin with %YAML:1.0"},
-        {lens_with(kLens, "image_width: 640", "image_width: 0"),
+        {lens_with(kLensText, "image_width: 640", "image_width: 0"),
          "line 4: image_width must be a whole"},
-        {lens_with(kLens, "image_width", "image_with"), "has no image_width"},
-        {lens_with(kLens, "image_height", "image_width"), "line 5: key image_width is there twice"},
-        {lens_with(kLens, "rows: 3", "rows: 4"), "line 6: camera_matrix has 9 numbers, not 4 x 3"},
-        {lens_with(kLens, "5.5e+02, 0.,", "5.5e+02, 1.,"), "skew is not known"},
-        {lens_with(kLens, "5.5e+02", "-5.5e+02"), "a focal length that is not positive"},
-        {lens_with(kLens, "320.25", "nan"), "\"nan\" is no number"},
-        {lens_with(kLens, "-0.25, 0.125, 1e-3", "-0.25, 0.125 1e-3"),
+        {lens_with(kLensText, "image_width", "image_with"), "has no image_width"},
+        {lens_with(kLensText, "image_height", "image_width"),
+         "line 5: key image_width is there twice"},
+        {lens_with(kLensText, "rows: 3", "rows: 4"),
+         "line 6: camera_matrix has 9 numbers, not 4 x 3"},
+        {lens_with(kLensText, "5.5e+02, 0.,", "5.5e+02, 1.,"), "skew is not known"},
+        {lens_with(kLensText, "5.5e+02", "-5.5e+02"), "a focal length that is not positive"},
+        {lens_with(kLensText, "320.25", "nan"), "\"nan\" is no number"},
+        {lens_with(kLensText, "-0.25, 0.125, 1e-3", "-0.25, 0.125 1e-3"),
          "\"0.125 1e-3\" is no number"},
-        {lens_with(kLens, "rows: 4\n   cols: 1", "rows: 1e300\n   cols: 1e300"),
+        {lens_with(kLensText, "rows: 4\n   cols: 1", "rows: 1e300\n   cols: 1e300"),
          "not 1e+300 x 1e+300"},
-        {lens_with(kLens, "0., 0., 1. ]", "0., 0., 1."), "must be an !!opencv-matrix with rows"},
+        {lens_with(kLensText, "0., 0., 1. ]", "0., 0., 1."),
+         "must be an !!opencv-matrix with rows"},
     };
     for (const auto& [text, expected] : faults) {
         const Expected<Lens> lens = parse_lens_yaml(text, "a.yml");

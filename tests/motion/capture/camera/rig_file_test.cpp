@@ -28,7 +28,7 @@ std::string rig_with(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-Rig ring(int count) {
+Rig odd_ring(int count) {
     Rig rig;
     for (int i = 0; i < count; ++i) {
         const double angle = 6.28 * i / count + 0.1;
@@ -43,7 +43,7 @@ Rig ring(int count) {
 }
 
 TEST(RigFile, of_ours_reads_back_to_the_same_bits) {
-    const Rig rig = ring(12);
+    const Rig rig = odd_ring(12);
     const Expected<RigFile> again = parse_rig(rig_text(rig), "rig.toml");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->rig, rig);
