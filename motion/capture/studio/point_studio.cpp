@@ -1,0 +1,226 @@
+#include "motion/capture/studio/point_studio.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/dice.hpp"
+#include "motion/capture/studio/occlusion.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::capture {
+namespace {
+
+/// The body at one moment.
+struct FilmedBody {
+    std::vector<glm::dvec3> markers;
+    std::vector<motion::Capsule> capsules;
+};
+
+FilmedBody body_at(const StudioMotion& motion, const MarkerSet& markers, double time) {
+    const motion::Pose pose = motion::pose_between(motion.poses, time * motion.frames_per_second);
+    const motion::WorldPose world = motion::world_pose(motion.skeleton, pose);
+    return {marker_places(markers, motion.skeleton, world),
+            hiding_capsules(motion.skeleton, world)};
+}
+
+bool is_seen(const FilmedBody& body, std::size_t marker, const Camera& camera) {
+    const auto pixel = project(camera, body.markers[marker]);
+    return pixel && is_in_picture(camera.lens, *pixel) &&
+           !is_hidden(body.capsules, glm::vec3(body.markers[marker]), glm::vec3(camera.centre()));
+}
+
+/// A detection whose marker is known; none: clutter, or several in one.
+struct KnownDetection {
+    Detection detection;
+    std::optional<std::size_t> marker;
+};
+
+/// Films with one camera.
+class FilmingCamera {
+ public:
+    FilmingCamera(const Camera& camera,
+                  const MarkerSet& markers,
+                  const StudioOptions& options,
+                  std::size_t index)
+        : camera_(camera),
+          markers_(markers),
+          options_(options),
+          classes_(markers.classes()),
+          colours_(static_cast<int>(markers.colours().size())),
+          dice_(options.seed, 1 + index) {}
+
+    std::vector<KnownDetection> detections_of(const FilmedBody& body) {
+        std::vector<KnownDetection> found;
+        for (std::size_t marker = 0; marker < markers_.markers.size(); ++marker) {
+            if (!is_seen(body, marker, camera_) || dice_.chance(options_.drop)) {
+                continue;
+            }
+            const glm::dvec2 pixel = *project(camera_, body.markers[marker]) + noise();
+            const double depth = camera_.in_camera(body.markers[marker]).z;
+            const double radius = camera_.lens.fx * markers_.radius / depth;
+            found.push_back({{pixel, classes_[marker], kPi * radius * radius}, marker});
+        }
+        merge(found);
+        add_clutter(body, found);
+        return found;
+    }
+
+ private:
+    static constexpr double kPi = 3.141592653589793;
+
+    glm::dvec2 noise() { return {dice_.normal(options_.noise), dice_.normal(options_.noise)}; }
+
+    // Detections of a colour that touch become one between them.
+    void merge(std::vector<KnownDetection>& found) const {
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            for (std::size_t j = found.size(); j-- > i + 1;) {
+                Detection& one = found[i].detection;
+                const Detection& other = found[j].detection;
+                if (one.colour == other.colour &&
+                    glm::distance(one.pixel, other.pixel) < options_.merge) {
+                    one.pixel = 0.5 * (one.pixel + other.pixel);
+                    one.area += other.area;
+                    found[i].marker.reset();
+                    found.erase(found.begin() + static_cast<std::ptrdiff_t>(j));
+                }
+            }
+        }
+    }
+
+    // Strewn over the box of the body's markers and 60 pixels around it.
+    void add_clutter(const FilmedBody& body, std::vector<KnownDetection>& found) {
+        glm::dvec2 low(1e9);
+        glm::dvec2 high(-1e9);
+        for (const glm::dvec3& place : body.markers) {
+            if (const auto pixel = project(camera_, place)) {
+                low = glm::min(low, *pixel);
+                high = glm::max(high, *pixel);
+            }
+        }
+        constexpr double kAround = 60.0;
+        const double around = kAround * camera_.lens.fx / 600.0;
+        for (int i = 0; i < options_.clutter && low.x < high.x; ++i) {
+            const glm::dvec2 pixel(dice_.uniform(low.x - around, high.x + around),
+                                   dice_.uniform(low.y - around, high.y + around));
+            const auto colour = static_cast<std::size_t>(dice_.whole(0, colours_ - 1));
+            found.push_back({{pixel, colour, 0.0}, std::nullopt});
+        }
+    }
+
+    const Camera& camera_;
+    const MarkerSet& markers_;
+    const StudioOptions& options_;
+    std::vector<std::size_t> classes_;
+    int colours_;
+    Dice dice_;
+};
+
+std::vector<Clock> draw_clocks(const Rig& rig, const StudioOptions& options) {
+    Dice dice(options.seed, 0);
+    std::vector<Clock> clocks;
+    for (const Camera& camera : rig.cameras) {
+        clocks.push_back({camera.name,
+                          dice.uniform(-1.0, 1.0) * options.clock_error,
+                          dice.uniform(-1.0, 1.0) * options.drift_ppm,
+                          1.0});
+    }
+    return clocks;
+}
+
+std::size_t picture_count(const StudioMotion& motion, double rate) {
+    const double seconds = static_cast<double>(motion.poses.size() - 1) / motion.frames_per_second;
+    return static_cast<std::size_t>(std::floor(seconds * rate + 1e-9)) + 1;
+}
+
+Tracks true_tracks(const StudioMotion& motion,
+                   const Rig& rig,
+                   const MarkerSet& markers,
+                   double rate) {
+    Tracks tracks;
+    for (const Marker& marker : markers.markers) {
+        tracks.markers.push_back(marker.name);
+    }
+    tracks.frames_per_second = rate;
+    tracks.frame_count = picture_count(motion, rate);
+    for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
+        const FilmedBody body = body_at(motion, markers, static_cast<double>(frame) / rate);
+        for (std::size_t marker = 0; marker < markers.markers.size(); ++marker) {
+            const auto views =
+                std::count_if(rig.cameras.begin(), rig.cameras.end(), [&](const Camera& camera) {
+                    return is_seen(body, marker, camera);
+                });
+            tracks.places.push_back(
+                {body.markers[marker], 0.0, static_cast<std::uint8_t>(views), PlaceSource::seen});
+        }
+    }
+    return tracks;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> marker_places(const MarkerSet& markers,
+                                      const motion::Skeleton& skeleton,
+                                      const motion::WorldPose& world) {
+    // Places are those on the mannequin; another body's are as much larger as it is.
+    const float scale = skeleton.hips_height() / motion::mannequin_skeleton().hips_height();
+    std::vector<glm::dvec3> places;
+    places.reserve(markers.markers.size());
+    for (const Marker& marker : markers.markers) {
+        places.emplace_back(world.point(marker.bone, scale * glm::vec3(marker.place)));
+    }
+    return places;
+}
+
+StudioTake film_points(const StudioMotion& motion,
+                       const Rig& rig,
+                       const MarkerSet& markers,
+                       const StudioOptions& options) {
+    StudioTake take;
+    take.seen.colours = markers.colours();
+    take.clocks = draw_clocks(rig, options);
+    take.truth = true_tracks(motion, rig, markers, options.frames_per_second);
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        FilmingCamera filming(rig.cameras[i], markers, options, i);
+        SeenFilm film{rig.cameras[i].name, {}};
+        for (std::size_t k = 0; k < take.truth.frame_count; ++k) {
+            const double time = static_cast<double>(k) / options.frames_per_second;
+            SeenPicture picture{time, {}};
+            const FilmedBody body = body_at(motion, markers, take.clocks[i].capture_time(time));
+            for (const KnownDetection& known : filming.detections_of(body)) {
+                picture.detections.push_back(known.detection);
+                if (k == 0 && known.marker) {
+                    take.labels.push_back({film.camera,
+                                           0,
+                                           markers.markers[*known.marker].name,
+                                           known.detection.pixel});
+                }
+            }
+            film.pictures.push_back(std::move(picture));
+        }
+        take.seen.films.push_back(std::move(film));
+    }
+    return take;
+}
+
+Rig studio_rig(int cameras, int width, int height) {
+    constexpr double kTurn = 6.283185307179586;
+    constexpr double kDistance = 4.0;
+    const double f = 600.0 / 640.0 * width;
+    const Lens lens{width, height, f, f, 0.5 * (width - 1), 0.5 * (height - 1), {}};
+    Rig rig;
+    for (int i = 0; i < cameras; ++i) {
+        const double angle = kTurn * (i + 0.5) / cameras;
+        rig.cameras.push_back(looking_at(
+            "cam" + std::to_string(i + 1),
+            lens,
+            {kDistance * std::sin(angle), i % 2 == 0 ? 1.55 : 2.25, kDistance * std::cos(angle)},
+            {0.0, 0.95, 0.0}));
+    }
+    return rig;
+}
+
+}  // namespace raks::capture
