@@ -106,8 +106,12 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
     if (!arguments.pose.empty()) {
         return posture(arguments.pose, posed);
     }
-    auto clip =
-        engine::AvatarClip::load(arguments.motion, posed.hips, file, arguments.options.labels);
+    auto joints = arguments.joints.labels();
+    if (!joints) {
+        return fail(std::move(joints.error()));
+    }
+    auto clip = engine::AvatarClip::load(
+        arguments.motion, posed.hips, {file, arguments.options.labels, std::move(*joints)});
     if (!clip) {
         return fail(std::move(clip.error()));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/clips/body_options.hpp"
+#include "apps/clips/joint_options.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"
@@ -82,6 +83,7 @@ struct AvatarPoseArguments {
     engine::AvatarOptions options;  ///< of its file
     std::string pose;               ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
     std::string motion;             ///< clip: FILE, or FILE#NAME; empty: `pose` is given
+    JointArguments joints;          ///< which joint of the clip is which bone
     std::string time = "0";         ///< seconds into the clip, or "all"
     Path output;                    ///< .png, .obj or .tsv
 };
@@ -157,6 +159,7 @@ struct EvalDanceArguments {
     Path faults;                ///< TSV of capture faults; empty: none
     double fps = 0.0;           ///< of the clips; 0: the files'
     double scale = 1.0;         ///< metres per unit of the clips
+    JointArguments joints;      ///< which joint of the clips is which bone
     bool as_json = false;       ///< one JSON document instead of text
 };
 /// Measures the dancer, from generated music to poses, beside people's clips.
@@ -238,8 +241,7 @@ struct StickArguments {
     BodyArguments body;                ///< how the clip's body lies in its file
     bool as_json = false;              ///< says what was found instead of drawing
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
-    Path joint_map;                    ///< which joint is which bone; empty: none
-    std::vector<std::string> joints;   ///< the same, line by line: "leftUpperArm=bip_l_arm"
+    JointArguments joints;             ///< which joint is which bone
     Path joints_output;                ///< a joint map to write instead of a picture; empty: none
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.

@@ -34,10 +34,10 @@ engine::AvatarOptions avatar_options(const engine::Settings& settings) {
 
 Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                        const engine::Settings& settings) {
-    auto clip = engine::AvatarClip::load(motion,
-                                         motion::mannequin_skeleton().offsets[0],
-                                         engine::find_avatar(settings.avatar).value_or(fs::path()),
-                                         settings.avatar_labels);
+    auto clip = engine::AvatarClip::load(
+        motion,
+        motion::mannequin_skeleton().offsets[0],
+        {engine::find_avatar(settings.avatar).value_or(fs::path()), settings.avatar_labels, {}});
     if (clip) {
         for (const std::string& warning : clip->warnings()) {
             say_detail(warning);

@@ -201,9 +201,7 @@ void add_stick(RaksCommands& table) {
            "stand at this frame; with -o draw it alone")
         // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
-    app->add_option("--joint", a->joints, "BONE=JOINT of the clip; one each time")
-        ->allow_extra_args(false);
-    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clip is which bone");
+    add_joint_options(*app, a->joints, "the clip");
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--size", a->settings.size, "of the window, such as 1280x720");

@@ -203,6 +203,11 @@ Expected<std::vector<MeasuredDance>> people_of(const EvalDanceArguments& argumen
         plan.faults = arguments.faults;
     }
     plan.reading = clip_reading(arguments.fps);
+    auto joints = arguments.joints.labels();
+    if (!joints) {
+        return fail(std::move(joints.error()));
+    }
+    plan.joints = std::move(*joints);
     const auto takes = motion::measure_captured(plan, figures);
     if (!takes) {
         return fail(takes.error());

@@ -58,6 +58,7 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
     auto* const motion = app->add_option(
         "--motion", a->motion, "clip: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...");
     pose->excludes(motion);
+    add_joint_options(*app, a->joints, "the clip", motion);
     app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
     app->add_option("-o,--out", a->output, "X.png: a picture; X.obj: the mesh; X.tsv: joints")
         ->required();
@@ -148,6 +149,7 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
         ->check(in_range(1.0, 1000.0));
     app->add_option("--scale", a->scale, "metres per unit of the clips")
         ->check(in_range(1e-4, 10.0));
+    add_joint_options(*app, a->joints, "the clips", clips);
 }
 
 void add_eval_avatar(RaksCommands& table, CLI::App& eval) {

@@ -213,8 +213,7 @@ Expected<void> show_recording(const StickArguments& arguments, motion::MotionCli
 
 // Points as they are.
 Expected<void> show_recording(const StickArguments& arguments, const motion::PointClip& clip) {
-    if (!arguments.joints_output.empty() || !arguments.joints.empty() ||
-        !arguments.joint_map.empty() || arguments.as_json) {
+    if (!arguments.joints_output.empty() || arguments.joints.any() || arguments.as_json) {
         return fail(arguments.input.string() +
                     ": holds points, which have no joints; leave --joint, --joints, "
                     "--write-joints and --json out");

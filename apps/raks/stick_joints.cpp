@@ -13,7 +13,7 @@
 namespace raks::apps {
 
 Expected<void> look_for_joints(const StickArguments& arguments, motion::MotionClip& clip) {
-    auto labels = motion::joint_labels(arguments.joint_map, arguments.joints);
+    auto labels = arguments.joints.labels();
     if (!labels) {
         return fail(std::move(labels.error()));
     }

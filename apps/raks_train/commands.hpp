@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/clips/body_options.hpp"
+#include "apps/clips/joint_options.hpp"
 #include "apps/terminal/command_table.hpp"
 #include "training/figures/training_plan.hpp"
 
@@ -20,6 +21,7 @@ struct LabelledClips {
     double min_confidence = 0.9;  ///< [0, 1]; labels below it are not used
     double fps = 0.0;             ///< frames a second where the file is wrong; 0: the file's
     Path skeleton;                ///< .asf of the clips that are .amc; empty: looked for
+    JointArguments joints;        ///< which joint of the clips is which bone
 };
 
 /// Arguments of `raks train figure`.
@@ -33,11 +35,9 @@ struct TrainFigureArguments : LabelledClips {
     motion::DanceRole role = motion::DanceRole::lead;  ///< whose motion in the clips
     /// What of the joints is learnt.
     motion::FigureFeatures features = motion::FigureFeatures::angles;
-    BodyArguments body;               ///< how bodies lie in the clips' files
-    Path joint_map;                   ///< which joint of the clips is which bone; empty: none
-    std::vector<std::string> joints;  ///< the same, line by line: "leftUpperArm=bip_l_arm"
-    int states = 0;                   ///< 0: 16, of a written dance as many as its figures need
-    int iterations = 0;               ///< of Baum-Welch
+    BodyArguments body;  ///< how bodies lie in the clips' files
+    int states = 0;      ///< 0: 16, of a written dance as many as its figures need
+    int iterations = 0;  ///< of Baum-Welch
     motion::CovarianceKind covariance = motion::CovarianceKind::tied;  ///< of the states' Gaussians
     /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;
@@ -76,7 +76,8 @@ struct TrainReportArguments : LabelledClips {
 [[nodiscard]] ExitCode train_report(const TrainReportArguments& arguments);
 
 /// The part of the plan that both commands take from the clips' arguments; the rest is their own.
-[[nodiscard]] motion::FigureTrainingPlan plan_of(const LabelledClips& clips);
+/// Errors: those of --joint and --joints.
+[[nodiscard]] Expected<motion::FigureTrainingPlan> plan_of(const LabelledClips& clips);
 /// The files that are read, none of which may be written over.
 [[nodiscard]] std::vector<Path> inputs_of(const LabelledClips& clips);
 

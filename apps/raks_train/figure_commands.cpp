@@ -46,9 +46,7 @@ void add_train_figure(CommandTable& table) {
         ->check(in_range(1.0, 1000.0));
     app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
     add_body_options(*app, a->body);
-    app->add_option("--joint", a->joints, "BONE=JOINT of the clips; one each time")
-        ->allow_extra_args(false);
-    app->add_option("--joints", a->joint_map, "X.toml: which joint of the clips is which bone");
+    add_joint_options(*app, a->joints, "the clips");
     // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
     app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
@@ -96,6 +94,7 @@ void add_train_report(CommandTable& table) {
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
         ->check(in_range(1.0, 1000.0));
     app->add_option("--skeleton", a->skeleton, "X.asf of clips that are .amc");
+    add_joint_options(*app, a->joints, "the clips");
     // One scale for both dancers, or the lead's and the follow's.
     app->add_option("--scale", a->scales, "metres per unit of the file: lead's, follow's")
         ->expected(1, 2)

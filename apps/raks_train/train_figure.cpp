@@ -28,9 +28,14 @@ namespace raks::apps {
 namespace {
 
 // The training plan of the arguments; what is not given stays at the plan's default.
-motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
-                                       const std::string& dance) {
-    motion::FigureTrainingPlan plan = plan_of(arguments);
+// Errors: those of --joint and --joints.
+Expected<motion::FigureTrainingPlan> figure_plan(const TrainFigureArguments& arguments,
+                                                 const std::string& dance) {
+    auto known = plan_of(arguments);
+    if (!known) {
+        return known;
+    }
+    motion::FigureTrainingPlan& plan = *known;
     if (!arguments.figure.empty()) {
         plan.figure = arguments.figure;
     }
@@ -52,13 +57,18 @@ motion::FigureTrainingPlan figure_plan(const TrainFigureArguments& arguments,
     if (arguments.source == "cmu") {
         plan.attribution = std::string(motion::cmu_attribution());
     }
-    return plan;
+    return known;
 }
 
 }  // namespace
 
-motion::FigureTrainingPlan plan_of(const LabelledClips& clips) {
+Expected<motion::FigureTrainingPlan> plan_of(const LabelledClips& clips) {
     motion::FigureTrainingPlan plan;
+    auto joints = clips.joints.labels();
+    if (!joints) {
+        return fail(std::move(joints.error()));
+    }
+    plan.joints = std::move(*joints);
     plan.clips = clips.clips;
     plan.labels = clips.labels;
     if (!clips.counts.empty()) {
@@ -170,13 +180,16 @@ ExitCode propose_figure(const TrainFigureArguments& arguments) {
             return fail(std::move(checked.error()));
         }
     }
-    motion::FigureTrainingPlan plan = figure_plan(arguments, arguments.dance);
+    auto plan = figure_plan(arguments, arguments.dance);
+    if (!plan) {
+        return fail(std::move(plan.error()));
+    }
     if (!arguments.music.empty()) {
-        if (auto taken = take_counts(arguments, plan); !taken) {
+        if (auto taken = take_counts(arguments, *plan); !taken) {
             return fail(std::move(taken.error()));
         }
     }
-    if (auto done = propose(arguments, plan); !done) {
+    if (auto done = propose(arguments, *plan); !done) {
         return fail(std::move(done.error()));
     }
     return kExitDone;
@@ -212,28 +225,30 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
             return fail(std::move(checked.error()));
         }
     }
-    motion::FigureTrainingPlan plan = figure_plan(arguments, *dance);
+    auto known = figure_plan(arguments, *dance);
+    if (!known) {
+        return fail(std::move(known.error()));
+    }
+    motion::FigureTrainingPlan& plan = *known;
     // They become parts of file names: said before the training, not after it.
     for (const std::string* const name : {&plan.dance, &plan.figure}) {
         if (!is_plain_name(*name)) {
             return fail(why_no_plain_name(*name));
         }
     }
-    auto joints = motion::joint_labels(arguments.joint_map, arguments.joints);
-    if (!joints) {
-        return fail(std::move(joints.error()));
-    }
-    plan.joints = std::move(*joints);
     if (!arguments.music.empty()) {
         if (auto taken = take_counts(arguments, plan); !taken) {
             return fail(std::move(taken.error()));
         }
     }
+    // What the search said of the clips already, which are read again to be learnt from.
+    std::vector<std::string> said;
     if (arguments.labels.empty()) {
         const auto found = found_in_clips(arguments, plan);
         if (!found) {
             return fail(found.error());
         }
+        said = found->warnings;
         plan.found = found->labels(plan);
         if (arguments.states == 0) {
             plan.states = states_of(*found, arguments.once);
@@ -246,7 +261,9 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
     }
     // What the person should know about clips and model; none of it prevents the training.
     for (const std::string& warning : report->warnings) {
-        say(warning);
+        if (std::find(said.begin(), said.end(), warning) == said.end()) {
+            say(warning);
+        }
     }
     // Repeats that were used weigh the figure in a new grammar.
     const auto used = std::count_if(report->repeats.begin(),

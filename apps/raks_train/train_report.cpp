@@ -23,14 +23,20 @@ namespace {
 using motion::DanceRole;
 
 // The plan of one dancer: the follow's scale is the last that is given.
-motion::FigureTrainingPlan report_plan(const TrainReportArguments& arguments, DanceRole role) {
-    motion::FigureTrainingPlan plan = plan_of(arguments);
+// Errors: those of --joint and --joints.
+Expected<motion::FigureTrainingPlan> report_plan(const TrainReportArguments& arguments,
+                                                 DanceRole role) {
+    auto known = plan_of(arguments);
+    if (!known) {
+        return known;
+    }
+    motion::FigureTrainingPlan& plan = *known;
     plan.role = role;
     if (!arguments.scales.empty()) {
         plan.metres_per_unit =
             role == DanceRole::lead ? arguments.scales.front() : arguments.scales.back();
     }
-    return plan;
+    return known;
 }
 
 // "both" reports the lead first.
@@ -117,7 +123,11 @@ class Reporter {
     Expected<motion::FigureReport> report_one(std::size_t f, motion::DancerExamples& dancer) {
         const std::string role(motion::kRoleNames[static_cast<std::size_t>(dancer.role)]);
         progress_.show(fmt::format("{} of the {}", arguments_.figures[f], role));
-        motion::FigureTrainingPlan plan = report_plan(arguments_, dancer.role);
+        auto known = report_plan(arguments_, dancer.role);
+        if (!known) {
+            return fail(std::move(known.error()));
+        }
+        motion::FigureTrainingPlan& plan = *known;
         plan.figure = arguments_.figures[f];
         const auto material = load(plan);
         if (!material) {

@@ -50,11 +50,12 @@ class AvatarClipReader {
     AvatarClipReader(fs::path file, std::string name, const glm::vec3& hips)
         : file_(std::move(file)), name_(std::move(name)), hips_(hips) {}
 
-    Expected<AvatarClip> read_skeleton() const {
-        const auto clip = motion::read_skeleton_motion(file_, {});
+    Expected<AvatarClip> read_skeleton(const motion::JointLabels& joints) const {
+        auto clip = motion::read_skeleton_motion(file_, {});
         if (!clip) {
             return fail(clip.error());
         }
+        clip->labels = joints;
         motion::Skeleton body;
         body.offsets[0] = hips_;
         auto retargeted = motion::retarget(*clip, body);
@@ -160,8 +161,7 @@ fs::path AvatarClip::file_of(const std::string& argument) {
 
 Expected<AvatarClip> AvatarClip::load(const std::string& argument,
                                       const glm::vec3& hips,
-                                      const fs::path& avatar,
-                                      const fs::path& labels) {
+                                      const AvatarClipOptions& options) {
     const auto [file, name] = motion::clip_address(argument);
     const AvatarClipReader reader(file, name, hips);
     // Faces and VRM's own bones are more than a motion clip holds, so models have a way of their
@@ -171,12 +171,16 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
         return fail(start.error());
     }
     if (motion::motion_format(*start, file) != motion::MotionFormat::model) {
-        return name.empty() ? reader.read_skeleton()
+        return name.empty() ? reader.read_skeleton(options.joints)
                             : fail(file.string() + ": holds one clip, which has no name");
     }
+    if (!options.joints.joints.empty()) {
+        return fail(file.string() +
+                    ": is a model, whose bones --labels says; leave --joint and --joints out");
+    }
     std::error_code ignored;
-    const bool is_own = !avatar.empty() && fs::equivalent(file, avatar, ignored);
-    return reader.read_model(is_own ? labels : fs::path());
+    const bool is_own = !options.avatar.empty() && fs::equivalent(file, options.avatar, ignored);
+    return reader.read_model(is_own ? options.labels : fs::path());
 }
 
 }  // namespace raks::engine

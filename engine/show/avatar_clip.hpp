@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/joint_labels.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/face.hpp"
 
@@ -15,17 +16,24 @@
 
 namespace raks::engine {
 
+/// What a person says of a clip and of whom it moves.
+struct AvatarClipOptions {
+    std::filesystem::path avatar;  ///< the model that it moves; empty: none
+    /// Label file of that model, which counts where the clip is that model's own; empty: none.
+    std::filesystem::path labels;
+    motion::JointLabels joints;  ///< which joint of a clip that is no model is which bone
+};
+
 /// A clip on a body: of a VRMA, of a glTF (its own), or a BVH. Threads: one. Real-time: no.
 class AvatarClip {
  public:
     /// `argument`: "FILE", whose first clip is taken, or "FILE#NAME". `hips`: where those of the
-    /// body rest; their travel is scaled by the ratio of hips heights. `labels`: the label file of
-    /// the model `avatar`, which counts where the clip is that model's own; empty: none. Errors,
-    /// with the file's name: those of its reader, there is no such clip in it, no figure.
+    /// body rest; their travel is scaled by the ratio of hips heights. Errors, with the file's
+    /// name: those of its reader, there is no such clip in it, no figure, joints that it has not,
+    /// and joints where it is a model.
     [[nodiscard]] static Expected<AvatarClip> load(const std::string& argument,
                                                    const glm::vec3& hips,
-                                                   const std::filesystem::path& avatar = {},
-                                                   const std::filesystem::path& labels = {});
+                                                   const AvatarClipOptions& options = {});
 
     /// Seconds to the last pose.
     [[nodiscard]] double duration() const noexcept { return duration_; }

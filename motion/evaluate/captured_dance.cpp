@@ -217,10 +217,11 @@ Expected<std::vector<CapturedDance>> measure_captured(const CapturedDancePlan& p
     std::vector<CapturedDance> dances;
     for (const auto& [take, labels] : tables->labels) {
         const std::filesystem::path file = file_of(take, plan.folder);
-        const auto clip = read_skeleton_motion(file, plan.reading);
+        auto clip = read_skeleton_motion(file, plan.reading);
         if (!clip) {
             return fail(clip.error());
         }
+        clip->labels = plan.joints;
         const auto track = body_track(*clip, plan.metres_per_unit);
         if (!track) {
             return fail(file.string() + ": " + track.error().message);

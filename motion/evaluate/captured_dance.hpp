@@ -26,6 +26,7 @@ struct CapturedDancePlan {
     DanceRole role = DanceRole::lead;             ///< whose clips are measured
     MotionReadOptions reading;                    ///< of the clips; with another rate
     double metres_per_unit = 1.0;                 ///< of the clips
+    JointLabels joints{};                         ///< which joint of the clips is which bone
     double min_confidence = 0.7;  ///< of a label, to count as a repeat and for landings
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
@@ -89,7 +90,7 @@ Expected<JointLabels> read_joint_map(std::string_view text, const std::string& f
 
 Expected<void> add_joint_label(std::string_view text, JointLabels& labels) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals + 1 == text.size()) {
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size()) {
         return fail(fmt::format("\"{}\" must be BONE=JOINT, as leftUpperArm=bip_l_arm",
                                 printable(text, kLongestShown)));
     }
@@ -120,7 +121,14 @@ Expected<JointLabels> joint_labels(const std::filesystem::path& map,
         }
         labels = std::move(*read);
     }
+    std::vector<std::string_view> bones;
     for (const std::string& line : lines) {
+        const std::string_view bone = std::string_view(line).substr(0, line.find('='));
+        if (std::find(bones.begin(), bones.end(), bone) != bones.end()) {
+            return fail(fmt::format("--joint: bone \"{}\" is given twice; one bone is one joint",
+                                    printable(bone, kLongestShown)));
+        }
+        bones.push_back(bone);
         if (const Expected<void> added = add_joint_label(line, labels); !added) {
             return fail(Error(added.error()).in("--joint"));
         }

@@ -41,7 +41,7 @@ struct JointLabels {
 [[nodiscard]] Expected<void> add_joint_label(std::string_view text, JointLabels& labels);
 
 /// What a person said on the command line: `map`, a joint map (none: empty), and `lines` of the
-/// form above, which win. Errors: as of both, and of reading the file.
+/// form above, which win. Errors: as of both, of reading the file, and two lines for one bone.
 [[nodiscard]] Expected<JointLabels> joint_labels(const std::filesystem::path& map,
                                                  std::span<const std::string> lines);
 

@@ -19,7 +19,7 @@ std::vector<std::string> FoundBody::notes() const {
         notes.push_back(
             fmt::format("{} is taken for up: {} (--up sets it)", axis_name(up.axis), up.reason));
     } else if (up.axis != glm::dvec3(0.0, 1.0, 0.0)) {
-        notes.push_back(fmt::format("{} is up: {}", axis_name(up.axis), up.reason));
+        notes.push_back(fmt::format("{} is up: {} (--up sets it)", axis_name(up.axis), up.reason));
     }
     if (rest.kind == RestKind::other) {
         notes.push_back(rest.reason);

@@ -9,6 +9,7 @@
 
 #include "motion/skeleton/body/bones_by_name.hpp"
 #include "motion/skeleton/body/bones_by_shape.hpp"
+#include "motion/skeleton/body/fingers_by_shape.hpp"
 #include "motion/skeleton/body/joint_report.hpp"
 #include "motion/skeleton/body/labelled_joints.hpp"
 #include "motion/skeleton/body/posed_skeleton.hpp"
@@ -162,6 +163,8 @@ class Finder {
         }
     }
 
+    void find_fingers() { take_fingers(body_, found_); }
+
     /// A left that lies on the right is swapped, where nobody said which is which.
     void check_sides() {
         const std::vector<Bone> bones = all_bones();
@@ -199,6 +202,8 @@ class Finder {
         JointSearch search{.found = {}, .refusal = missing_joints(clip_, found_.mapping)};
         const bool is_second = shapes_.size() > 1 && shapes_[1].fit > kSecondFit;
         if (is_second && !is_said(Bone::hips)) {
+            // What was said of one of them, while joints of both were taken, helps nobody.
+            found_.notes.clear();
             search.refusal =
                 Error{fmt::format("two bodies in one clip, with hips \"{}\" and \"{}\": keep one",
                                   shape_hips(0),
@@ -386,6 +391,7 @@ Expected<JointSearch> search_joints(const MotionClip& clip) {
     finder.take_shape();
     finder.drop_upside_down();
     finder.spread_spine();
+    finder.find_fingers();
     finder.check_sides();
     return std::move(finder).result();
 }

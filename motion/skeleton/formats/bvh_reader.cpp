@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -175,11 +176,19 @@ class MotionReader {
         if (hierarchy_.roots > 1) {
             clip_.warnings.push_back(fmt::format("has {} roots; all are read", hierarchy_.roots));
         }
-        std::set<std::string> names;
+        std::map<std::string_view, int> uses;
+        std::vector<std::string_view> repeated;
         for (const ClipJoint& joint : clip_.joints) {
-            if (!names.insert(joint.name).second) {
-                clip_.warnings.push_back("the name \"" + joint.name + "\" is used twice");
+            if (++uses[joint.name] == 2) {
+                repeated.push_back(joint.name);
             }
+        }
+        if (repeated.size() == 1) {
+            clip_.warnings.push_back(
+                fmt::format("the name \"{}\" is used twice", repeated.front()));
+        } else if (!repeated.empty()) {
+            clip_.warnings.push_back(fmt::format(
+                "{} names are used twice: \"{}\" and others", repeated.size(), repeated.front()));
         }
     }
 

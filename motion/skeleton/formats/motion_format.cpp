@@ -111,6 +111,17 @@ std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) 
     return found == kEndings.end() ? std::nullopt : std::optional(found->second);
 }
 
+// Of Python's protocols 2 to 5 by their first bytes; 0 and 1 as they begin a dictionary, a list or
+// an array.
+bool is_pickle(std::string_view start) {
+    constexpr std::array<std::string_view, 6> kOld = {
+        "(dp", "(lp", "}q", "]q", "ccopy_reg\n", "cnumpy"};
+    return (start.size() >= 2 && start[0] == '\x80' && start[1] >= 2 && start[1] <= 5) ||
+           std::any_of(kOld.begin(), kOld.end(), [&](std::string_view mark) {
+               return begins(start, mark);
+           });
+}
+
 }  // namespace
 
 std::optional<MotionFormat> motion_format(std::string_view start,
@@ -132,10 +143,9 @@ bool is_clip_name(const std::filesystem::path& name) {
 }
 
 std::string refusal_of(std::string_view start) {
-    if (start.size() >= 2 && start[0] == '\x80' && start[1] >= 2 && start[1] <= 5) {
+    if (is_pickle(start)) {
         return "is a pickle, and pickles are programs, which are not run; where it comes from, "
-               "save "
-               "it with numpy.savez(\"x.npz\", poses=..., trans=...)";
+               "save it with numpy.savez(\"x.npz\", poses=..., trans=...)";
     }
     if (begins(start, "\x93NUMPY")) {
         return "is one array alone, without a name; save it with numpy.savez(\"x.npz\", poses=..., "

@@ -26,6 +26,9 @@ Expected<NpzContent> read_npz(std::string_view bytes, std::span<const std::strin
         if (std::find(names.begin(), names.end(), name) == names.end()) {
             continue;
         }
+        if (content.arrays.contains(name)) {
+            return fail(printable(name) + " is packed twice; save the file again");
+        }
         const auto packed = unzipped(bytes, entry, left);
         if (!packed) {
             return fail(packed.error());

@@ -21,6 +21,9 @@ constexpr std::string_view kEndMark = "PK\x05\x06";
 constexpr std::string_view kEntryMark = "PK\x01\x02";
 constexpr std::string_view kLocalMark = "PK\x03\x04";
 constexpr std::size_t kWide = 0xFFFFFFFF;  // stands where the value needs 64 bits
+// Numbers that move shrink to a third, those of a body that stands still for hours a thousandfold.
+constexpr std::size_t kMostOfMotion = 100;
+constexpr std::size_t kSurelySmall = std::size_t{16} << 20U;  // bytes: harmless whatever they are
 
 std::uint32_t field_at(std::string_view bytes, std::size_t at, std::size_t size) {
     std::uint32_t value = 0;
@@ -128,6 +131,12 @@ Expected<std::string> unzipped(std::string_view archive,
     if (entry.unpacked > most_bytes) {
         return fail(fmt::format(
             "{} unpacks to {} bytes; at most {} are read", name, entry.unpacked, most_bytes));
+    }
+    if (entry.unpacked > kSurelySmall && entry.unpacked / kMostOfMotion > entry.packed) {
+        return fail(fmt::format("{} unpacks from {} bytes to {}, as no motion does",
+                                name,
+                                entry.packed,
+                                entry.unpacked));
     }
     if (!is_at(archive, entry.offset, kLocalMark, kLocalSize)) {
         return fail(name + " is not where the archive says; fetch it again");

@@ -28,7 +28,8 @@ struct ZipEntry {
 [[nodiscard]] Expected<std::vector<ZipEntry>> zip_entries(std::string_view archive);
 
 /// The content of one of them. Memory: at most `most_bytes`, whatever is declared or packed.
-/// Errors, without a file's name: larger than that, damaged, packed in another way, encrypted.
+/// Errors, without a file's name: larger than that, large and packed a hundredfold (a bomb),
+/// damaged, packed in another way, encrypted.
 [[nodiscard]] Expected<std::string> unzipped(std::string_view archive,
                                              const ZipEntry& entry,
                                              std::size_t most_bytes);

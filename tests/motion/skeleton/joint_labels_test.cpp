@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace raks::motion {
 namespace joint_labels_test {
@@ -49,8 +50,18 @@ TEST(JointLabels, a_line_takes_the_place_of_the_maps) {
               "\"hips\" must be BONE=JOINT, as leftUpperArm=bip_l_arm");
     EXPECT_EQ(add_joint_label("hip=c", labels).error().message,
               "bone \"hip\" is unknown; did you mean \"hips\"?");
+    EXPECT_EQ(add_joint_label("=c", labels).error().message,
+              "\"=c\" must be BONE=JOINT, as leftUpperArm=bip_l_arm");
     EXPECT_EQ(add_joint_label("neck=b", labels).error().message,
               "joint \"b\" is said to be head and neck; one joint is one bone");
+}
+
+TEST(JointLabels, a_bone_is_given_once) {
+    const std::vector<std::string> lines = {"hips=a", "head=b", "hips=c"};
+    const auto labels = joint_labels({}, lines);
+    ASSERT_FALSE(labels);
+    EXPECT_EQ(labels.error().message,
+              "--joint: bone \"hips\" is given twice; one bone is one joint");
 }
 
 }  // namespace joint_labels_test

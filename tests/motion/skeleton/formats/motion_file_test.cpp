@@ -70,6 +70,7 @@ TEST(MotionFile, what_is_no_motion_is_refused_with_what_to_do) {
         {"", "is empty"},
         {"hello", "is no motion file of a known kind; known: BVH, ASF/AMC"},
         {std::string("\x80\x04\x95\0", 4), "pickles are programs"},
+        {"(dp0\nVsmpl_poses\np1\n", "pickles are programs"},
         {"\x93NUMPY\x01", "numpy.savez"},
         {"Kaydara FBX Binary  ", "export it as BVH or glTF"},
         {"version https://git-lfs.github.com/spec/v1\n", "git lfs pull"},

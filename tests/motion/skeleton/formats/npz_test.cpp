@@ -101,7 +101,8 @@ TEST(Npz, bombs_and_damage_are_refused) {
     // Sizes that the directory declares, in bytes: more than is ever read; more than deflate can
     // have made of so few; fewer than come out.
     for (const auto& [size, part] : {std::pair(600U << 20U, "at most 536870912 are read"),
-                                     std::pair(400U << 20U, "a.npy is damaged"),
+                                     std::pair(400U << 20U, "as no motion does"),
+                                     std::pair(15U << 20U, "a.npy is damaged"),
                                      std::pair(100U, "a.npy is damaged")}) {
         std::string bomb = good;
         const std::size_t at = bomb.find("PK\x01\x02") + 24;
@@ -111,6 +112,15 @@ TEST(Npz, bombs_and_damage_are_refused) {
         EXPECT_NE(message(read_npz(bomb, kNames)).find(part), std::string::npos)
             << message(read_npz(bomb, kNames));
     }
+    // What a body that stands still for hours shrinks to.
+    const NumberArray still = {{40'000, 72}, std::vector<double>(40'000 * 72)};
+    EXPECT_NE(message(read_npz(test::npz_bytes({{"a", still}}, test::Packing::deflated), kNames))
+                  .find("as no motion does"),
+              std::string::npos);
+    EXPECT_EQ(message(read_npz(test::zip_bytes({{"a.npy", test::npy_bytes(kArray)},
+                                                {"a.npy", test::npy_bytes(kArray)}}),
+                               kNames)),
+              "a is packed twice; save the file again");
     std::string broken = good;
     broken[60] = static_cast<char>(broken[60] ^ 0x10);
     EXPECT_NE(message(read_npz(broken, kNames)).find("a.npy is damaged"), std::string::npos);
