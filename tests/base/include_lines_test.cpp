@@ -34,6 +34,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"audio/beat/network", {"base", "models", "audio/features"}},
     {"audio/beat", {"base", "models", "audio/features", "audio/beat/network"}},
     {"audio/genre", {"base", "models", "audio/features"}},
+    {"audio/sync", {"base", "audio/resample"}},
     {"audio", {"base", "audio/resample", "audio/features", "audio/beat", "audio/genre"}},
     {"audio/song",
      {"base",
@@ -49,7 +50,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"audio/music/generator", {"base"}},
     {"audio/music/instruments",
      {"base", "audio/music/generator", "audio/music/score", "audio/music/styles"}},
-    {"audio/music/damage", {"base", "audio/io"}},
+    {"audio/music/damage", {"base", "audio/io", "audio/resample"}},
 
     {"motion/skeleton", {"base"}},
     {"motion/skeleton/formats", {"base", "motion/skeleton"}},
