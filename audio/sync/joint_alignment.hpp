@@ -21,14 +21,24 @@ struct JointClock {
     /// Largest difference from what another pair of tracks gives in the middle of the shorter one,
     /// seconds; 0 where no other pair tells. Beyond some 5 ms a person should look.
     double disagreement = 0.0;
+    bool hears_song = false;  ///< its pair with the song could be aligned
 };
 
 /// How several tracks are aligned.
 struct JointOptions {
-    int threads = 1;  ///< does not change the result
+    /// Whose clock is the common one; none: that of the first track, but the song, of the largest
+    /// group of tracks that can be aligned.
+    std::optional<std::size_t> reference{};
+    std::optional<std::size_t> song{};  ///< index of the track that is a song, if one is
     /// As of align_tracks, for each pair but those with the song.
     double most_offset = std::numeric_limits<double>::infinity();
-    std::optional<std::size_t> song{};  ///< index of the track that is a song
+    int threads = 1;  ///< does not change the result
+};
+
+/// All of them.
+struct JointAlignment {
+    std::size_t reference = 0;                 ///< whose clock is the common one
+    std::vector<Expected<JointClock>> clocks;  ///< by track; errors: why it does not join
 };
 
 /// Aligns several recordings of the same sound. Every pair is tried (align_tracks), and each track
@@ -36,14 +46,11 @@ struct JointOptions {
 /// same as the reference. A song as it came to the loudspeaker may be one of the tracks: it joins
 /// cameras well, as it has no room of its own, and its clock tells when the song began.
 ///
-/// `reference`: its clock is the common one. `progress`, when
-/// given, is called with the pairs done and all, from any thread but from one at a time; once it
-/// returns false no further pair is tried, and tracks may stay apart.
-/// Result: one for each track; errors: why the track does not join (the pair with the reference's).
-/// Threads: any. Real-time: no.
-[[nodiscard]] std::vector<Expected<JointClock>> align_jointly(
+/// `tracks`: at least one. `progress`, when given, is called with the pairs done and all, from any
+/// thread but from one at a time; once it returns false no further pair is tried, and tracks may
+/// stay apart. Threads: any. Real-time: no.
+[[nodiscard]] JointAlignment align_jointly(
     std::span<const SyncTrack> tracks,
-    std::size_t reference,
     const JointOptions& options,
     const std::function<bool(std::size_t, std::size_t)>& progress = {});
 
@@ -52,8 +59,6 @@ inline constexpr double kSpeedOfSound = 343.0;  ///< m/s, in air of 20 degrees C
 /// Corrects clocks by the way of the sound: `distances`, one a track, from the loudspeaker to the
 /// microphone in metres, 0 for the song itself. A clock changes only where both its distance and
 /// the reference's are known; without that the error is 2.9 ms for each metre of difference.
-void correct_sound_way(std::span<Expected<JointClock>> clocks,
-                       std::span<const std::optional<double>> distances,
-                       std::size_t reference);
+void correct_sound_way(JointAlignment& alignment, std::span<const std::optional<double>> distances);
 
 }  // namespace raks::audio

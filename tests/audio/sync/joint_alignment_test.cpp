@@ -23,13 +23,15 @@ TEST(JointAlignment, a_camera_joins_by_another_one_where_it_misses_the_reference
                                         recording(noise, dry_recorder(30.0, 15.0, 40.0), "b", 1),
                                         recording(noise, dry_recorder(30.0, 31.0, -30.0), "c", 2)};
     std::size_t calls = 0;
-    const auto clocks = align_jointly(tracks, 0, {}, [&](std::size_t done, std::size_t all) {
+    const auto joint = align_jointly(tracks, {}, [&](std::size_t done, std::size_t all) {
         ++calls;
         EXPECT_EQ(done, calls);
         EXPECT_EQ(all, 3U);
         return true;
     });
     EXPECT_EQ(calls, 3U);
+    EXPECT_EQ(joint.reference, 0U);
+    const auto& clocks = joint.clocks;
     ASSERT_TRUE(clocks[1] && clocks[2]);
     EXPECT_EQ(clocks[0]->through, 0U);
     EXPECT_EQ(clocks[1]->through, 0U);
@@ -50,11 +52,12 @@ TEST(JointAlignment, the_song_is_a_track_whose_clock_tells_when_it_began) {
         options.threads = threads;
         options.song = 2;
         options.most_offset = 5.0;
-        const auto clocks = align_jointly(tracks, 0, options);
+        const auto clocks = align_jointly(tracks, options).clocks;
         ASSERT_TRUE(clocks[1] && clocks[2]);
         EXPECT_NEAR(clocks[1]->line.offset, -1.5, 1e-4);
         EXPECT_NEAR(clocks[2]->line.offset, -12.0, 1e-4);
         EXPECT_LT(clocks[1]->disagreement, 1e-3);
+        EXPECT_TRUE(clocks[0]->hears_song && clocks[1]->hears_song);
     }
 }
 
@@ -64,11 +67,21 @@ TEST(JointAlignment, who_hears_something_else_stays_apart_with_the_reason) {
         recording(white_noise(40.0, 4), dry_recorder(20.0, 0.0, 0.0), "deaf", 0),
         recording(noise, dry_recorder(20.0, 3.0, 0.0), "b", 1),
         recording(noise, dry_recorder(20.0, 5.0, 0.0), "c", 2)};
-    const auto clocks = align_jointly(tracks, 1, {});
-    EXPECT_TRUE(clocks[1] && clocks[2]);
-    ASSERT_FALSE(clocks[0]);
-    EXPECT_EQ(clocks[0].error().message.find("deaf: hears nothing that b hears"), 0U)
-        << clocks[0].error().message;
+    // The two that hear the same make the common clock.
+    const auto joint = align_jointly(tracks, {});
+    EXPECT_EQ(joint.reference, 1U);
+    EXPECT_TRUE(joint.clocks[1] && joint.clocks[2]);
+    ASSERT_FALSE(joint.clocks[0]);
+    EXPECT_EQ(joint.clocks[0].error().message.find("deaf stays apart: b: hears nothing that deaf"),
+              0U)
+        << joint.clocks[0].error().message;
+    JointOptions by_deaf;
+    by_deaf.reference = 0;
+    const auto alone = align_jointly(tracks, by_deaf).clocks;
+    ASSERT_TRUE(alone[0]);
+    ASSERT_FALSE(alone[1]);
+    EXPECT_EQ(alone[1].error().message.find("b: hears nothing that deaf hears"), 0U)
+        << alone[1].error().message;
 }
 
 TEST(JointAlignment, sound_that_comes_a_longer_way_is_corrected_where_it_is_known) {
@@ -81,10 +94,11 @@ TEST(JointAlignment, sound_that_comes_a_longer_way_is_corrected_where_it_is_know
         tracks.push_back(recording(noise, recorder, std::to_string(i), i));
     }
     tracks.push_back(*SyncTrack::prepare(noise, SampleRate(test::kRecordingRate), "song"));
-    auto clocks = align_jointly(tracks, 0, {});
+    auto joint = align_jointly(tracks, {});
+    const auto& clocks = joint.clocks;
     EXPECT_NEAR(clocks[1]->line.offset, 1.0 - 7.0 / kSpeedOfSound, 1e-4);
     const std::vector<std::optional<double>> distances{2.0, 9.0, std::nullopt, 0.0};
-    correct_sound_way(clocks, distances, 0);
+    correct_sound_way(joint, distances);
     EXPECT_NEAR(clocks[0]->line.offset, 0.0, 1e-12);
     EXPECT_NEAR(clocks[1]->line.offset, 1.0, 1e-4);
     EXPECT_NEAR(clocks[2]->line.offset, 2.0 - 3.0 / kSpeedOfSound, 1e-4);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,10 +37,10 @@ struct Trials {
 // signal to noise, clocks up to 50 ppm and 1.5 s apart.
 Trials listen_in_rooms(int trials, double direct_to_reverberant_db) {
     constexpr double kSeconds = 40.0;
-    const auto music = salsa(kSeconds + 2.0, 1);
     Trials result;
     for (int trial = 0; trial < trials; ++trial) {
         const auto number = static_cast<std::uint64_t>(trial);
+        const auto music = salsa(kSeconds + 2.0, number + 1);
         Dice dice(13, number);
         RoomRecorder first;
         first.direct_to_reverberant_db = direct_to_reverberant_db;
@@ -68,16 +70,24 @@ Trials listen_in_rooms(int trials, double direct_to_reverberant_db) {
     return result;
 }
 
+// RAKS_SYNC_TRIALS: as many instead.
+int trials_or(int usual) {
+    const char* const wanted = std::getenv("RAKS_SYNC_TRIALS");
+    return wanted == nullptr ? usual : std::atoi(wanted);
+}
+
 TEST(TrackAlignment, music_in_a_room_tells_offset_and_drift) {
-    const Trials trials = listen_in_rooms(12, 0.0);
-    EXPECT_EQ(trials.told, 12);
+    const int count = trials_or(12);
+    const Trials trials = listen_in_rooms(count, 0.0);
+    EXPECT_EQ(trials.told, count);
     EXPECT_LE(trials.worst_ms, 0.5);
     EXPECT_LE(trials.worst_ppm, 5.0);
 }
 
 TEST(TrackAlignment, where_echoes_drown_the_music_it_is_told_or_refused_but_never_wrong) {
-    const Trials trials = listen_in_rooms(6, -6.0);
-    EXPECT_GE(trials.told, 3);
+    const int count = trials_or(6);
+    const Trials trials = listen_in_rooms(count, -6.0);
+    EXPECT_GE(trials.told, count / 2);
     EXPECT_LE(trials.worst_ms, 0.5);
     EXPECT_LE(trials.worst_ppm, 5.0);
 }
