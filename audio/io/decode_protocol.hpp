@@ -19,6 +19,7 @@ namespace raks::audio {
 /// Descriptors of a decoder; the fork server (decoder_fork_server.hpp) has the first alone.
 inline constexpr int kDecodeSocket = 3;
 inline constexpr int kDecodeMemory = 4;
+inline constexpr int kDecodePictures = 4;  ///< in its place: where pictures are written
 inline constexpr int kDecodeLifeline = 5;  ///< a pipe that closes when raks ends
 
 /// Names of the processes, as lists of them show.
@@ -26,21 +27,33 @@ inline constexpr const char* kForkServerName = "raks-decoders";
 inline constexpr const char* kDecoderName = "raks-decode";
 
 /// Of every message; other builds have another one.
-inline constexpr std::uint32_t kDecodeMagic = 0x52440002;
+inline constexpr std::uint32_t kDecodeMagic = 0x52440003;
 inline constexpr std::size_t kDecodeTextBytes = 8192;  ///< of the text in a message
 
-/// raks asks for the first five, raks-decode answers with the others.
+/// raks asks for the first six, raks-decode answers with the others.
 enum class DecodeKind : std::uint32_t {
     start,      ///< to the fork server: a decoder, with its socket, memory and lifeline
     open_file,  ///< text: its name; with the descriptor
     open_pipe,  ///< the same; value: nanoseconds to wait for the head
     take_back,  ///< a slot that was read
     seek,       ///< value: frame; from here on messages carry its generation, all slots are free
+    open_film,  ///< text: its name; with the descriptor
     started,    ///< value: the decoder's process, or minus the error's number
-    opened,     ///< head is filled in; text: format, then warning
+    opened,     ///< head is filled in, of a film picture, too; text: format, then warning
     failed,     ///< text: why it cannot be opened or sought
     samples,    ///< value: frames in the slot, 0 at the end; text: the warning so far
     sought,     ///< text: the warning so far
+    picture,    ///< picture is filled in, its pixels are written to kDecodePictures
+    film_end,   ///< text: the warning
+};
+
+/// A picture of a film, or all of them.
+struct DecodedPicture {
+    double seconds = 0.0;              ///< its time; of a film: claimed, < 0: none
+    double pictures_per_second = 0.0;  ///< of a film, 0: unknown
+    std::int32_t width = 0;            ///< pixels, as it is to be seen
+    std::int32_t height = 0;           ///< likewise
+    std::int32_t turned = 0;           ///< of a film: degrees clockwise that this took
 };
 
 /// AudioFileInfo without its text.
@@ -65,6 +78,7 @@ struct DecodeMessage {
     std::uint32_t slot = 0;
     std::uint32_t text_bytes = 0;
     DecodedHead head{};
+    DecodedPicture picture{};
     std::array<char, kDecodeTextBytes> text;
 
     /// Cuts off what has no room.

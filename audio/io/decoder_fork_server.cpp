@@ -1,28 +1,24 @@
 #include "audio/io/decoder_fork_server.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstring>
+#include <span>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "audio/io/decode_protocol.hpp"
+#include "audio/io/decoder_spawn.hpp"
 #include "base/program_parts.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
 namespace {
 
-constexpr int kFirstFree = 10;  // above the descriptor that the child gets
 constexpr Nanos kLongestStart = std::chrono::seconds(30);
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr std::chrono::milliseconds kTurn{2};  // between two looks whether the other is done
@@ -31,65 +27,7 @@ tl::unexpected<Error> cannot_start(int error_number) {
     return fail("raks-decode cannot be started: " + std::generic_category().message(error_number));
 }
 
-// Signals as a fresh program has them, and a process group of its own: what the terminal sends to
-// raks (Ctrl+C) is for raks alone.
-void set_attributes(posix_spawnattr_t& attributes) {
-    sigset_t all;
-    sigset_t none;
-    sigfillset(&all);
-    sigemptyset(&none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-}
-
-// Nothing but its socket; what libraries print is lost.
-void set_descriptors(posix_spawn_file_actions_t& actions, int socket) {
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-#ifndef RAKS_DECODES_UNCONFINED
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-#endif
-    posix_spawn_file_actions_adddup2(&actions, socket, kDecodeSocket);
-    posix_spawn_file_actions_addclosefrom_np(&actions, kDecodeSocket + 1);
-}
-
-int spawn(std::string program, int socket, pid_t& pid) {
-    posix_spawnattr_t attributes;
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_init(&actions);
-    set_attributes(attributes);
-    set_descriptors(actions, socket);
-    std::string unconfined = "--no-sandbox";
-    std::array<char*, 3> arguments{program.data(), nullptr, nullptr};
-#ifdef RAKS_DECODES_UNCONFINED
-    arguments[1] = unconfined.data();
-#endif
-    const int error =
-        posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    return error;
-}
-
 }  // namespace
-
-std::string end_child(pid_t pid) {
-    int status = 0;
-    pid_t ended = 0;
-    ::kill(pid, SIGKILL);  // one that is dead stays as it died
-    do {
-        ended = ::waitpid(pid, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    if (ended > 0 && WIFSIGNALED(status)) {
-        const char* const name = ::sigabbrev_np(WTERMSIG(status));
-        return name == nullptr ? "killed by a signal" : std::string("killed by SIG") + name;
-    }
-    return "exit code " + std::to_string(WEXITSTATUS(status));
-}
 
 DecoderForkServer& DecoderForkServer::get() {
     static DecoderForkServer server;
@@ -109,19 +47,13 @@ Expected<void> DecoderForkServer::open() {
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         return cannot_start(errno);
     }
-    // Under a number that the child's own do not overwrite.
-    const int child_end = ::fcntl(ends[1], F_DUPFD_CLOEXEC, kFirstFree);
-    int error = child_end < 0 ? errno : 0;
-    if (error == 0) {
-        error = spawn(program_.string(), child_end, pid_);
-        ::close(child_end);
-    }
+    const auto pid = spawn_decoder({.program = program_, .descriptors = std::span(&ends[1], 1)});
     ::close(ends[1]);
-    if (error != 0) {
-        pid_ = -1;
+    if (!pid) {
         ::close(ends[0]);
-        return cannot_start(error);
+        return fail(pid.error());
     }
+    pid_ = *pid;
     socket_ = ends[0];
     return {};
 }

@@ -46,8 +46,4 @@ class DecoderForkServer {
     int socket_ = -1;
 };
 
-/// Kills a child and waits for its end; says how it ended, which may have been before: "killed by
-/// SIGSEGV" or "exit code 1". Threads: any. Real-time: no.
-std::string end_child(pid_t pid);
-
 }  // namespace raks::audio

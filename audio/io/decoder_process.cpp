@@ -11,23 +11,11 @@
 #include <utility>
 
 #include "audio/io/decoder_fork_server.hpp"
+#include "audio/io/decoder_spawn.hpp"
+#include "audio/io/descriptor.hpp"
 
 namespace raks::audio {
 namespace {
-
-// A descriptor that is closed at the end of its scope.
-struct Descriptor {
-    int number = -1;
-    Descriptor() = default;
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number >= 0) {
-            ::close(number);
-        }
-    }
-    [[nodiscard]] int release() noexcept { return std::exchange(number, -1); }
-};
 
 // The ends that a child gets, and ours.
 struct Links {

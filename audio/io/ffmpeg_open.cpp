@@ -18,6 +18,7 @@ extern "C" {
 
 #include "audio/io/audio_file_backends.hpp"
 #include "audio/io/ffmpeg_reader.hpp"
+#include "audio/io/ffmpeg_window.hpp"
 
 namespace raks::audio {
 namespace {
@@ -45,8 +46,6 @@ constexpr const char* kCodecs =
     "pcm_u32le,pcm_u8,adpcm_ima_wav,adpcm_ms,adpcm_ima_qt,adpcm_swf,adpcm_yamaha,adpcm_g722,"
     "adpcm_g726,adpcm_g726le,adpcm_ct,adpcm_sbpro_2,adpcm_sbpro_3,adpcm_sbpro_4,adpcm_aica";
 
-constexpr int kWindowBuffer = 64 * 1024;  // bytes that FFmpeg asks for at once
-
 // Time stamps of the file that mean something; others are counted by FFmpeg.
 struct StampedFormat {
     std::string_view name;
@@ -71,22 +70,6 @@ constexpr double kLongestOverlap = 1.0;
 bool is_known(const AVFormatContext& container) {
     const bool is_mp3 = container.iformat->name == std::string_view("mp3");
     return container.probe_score > (is_mp3 ? 1 : AVPROBE_SCORE_RETRY);
-}
-
-int read_window(void* data, std::uint8_t* bytes, int count) {
-    auto& cursor = *static_cast<WindowCursor*>(data);
-    const std::size_t got =
-        cursor.read({reinterpret_cast<char*>(bytes), static_cast<std::size_t>(std::max(count, 0))});
-    return got > 0 ? static_cast<int>(got) : AVERROR_EOF;
-}
-
-std::int64_t seek_window(void* data, std::int64_t offset, int whence) {
-    auto& cursor = *static_cast<WindowCursor*>(data);
-    if (whence == AVSEEK_SIZE) {
-        return cursor.window.size();
-    }
-    const std::int64_t at = cursor.seek(offset, whence & ~AVSEEK_FORCE);
-    return at < 0 ? AVERROR(EINVAL) : at;
 }
 
 // Is there a moving picture? Covers of albums are pictures, too.
@@ -138,12 +121,6 @@ double tagged_end(const AVStream& stream) {
 
 }  // namespace
 
-std::string ffmpeg_reason(int error_number) {
-    char text[AV_ERROR_MAX_STRING_SIZE] = {};
-    av_strerror(error_number, text, sizeof text);
-    return text;
-}
-
 Expected<void> FfmpegReader::open() {
     // FFmpeg would print; its errors are returned from here instead.
     av_log_set_level(AV_LOG_QUIET);
@@ -157,18 +134,11 @@ Expected<void> FfmpegReader::open() {
     return describe();
 }
 
-// FFmpeg reads through these functions, so that it sees the window only.
 bool FfmpegReader::open_window() {
     container_.reset();
     cursor_ = WindowCursor{input_.window};
-    auto* buffer = static_cast<unsigned char*>(av_malloc(kWindowBuffer));
-    AVIOContext* context =
-        avio_alloc_context(buffer, kWindowBuffer, 0, &cursor_, read_window, nullptr, seek_window);
-    if (context == nullptr) {
-        av_free(buffer);
-    }
-    window_.reset(context);
-    return context != nullptr;
+    window_ = read_through(cursor_);
+    return window_ != nullptr;
 }
 
 // Opens the file and finds its streams.

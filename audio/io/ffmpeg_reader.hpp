@@ -103,7 +103,4 @@ class FfmpegReader final : public AudioFileReader {
     std::int64_t last_jump_ = -1;  // position of the last of them
 };
 
-/// FFmpeg's text for this error number.
-[[nodiscard]] std::string ffmpeg_reason(int error_number);
-
 }  // namespace raks::audio

@@ -12,6 +12,7 @@ extern "C" {
 #include <string_view>
 
 #include "audio/io/ffmpeg_reader.hpp"
+#include "audio/io/ffmpeg_window.hpp"
 
 namespace raks::audio {
 namespace {

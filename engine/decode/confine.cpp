@@ -15,8 +15,6 @@
 namespace raks::engine {
 namespace {
 
-constexpr rlim_t kMoreMemory = rlim_t{512} << 20U;  // bytes
-
 // What decoding needs. Receiving a descriptor is how the file comes.
 constexpr int kAllowed[] = {SCMP_SYS(read),           SCMP_SYS(readv),
                             SCMP_SYS(pread64),        SCMP_SYS(lseek),
@@ -75,9 +73,9 @@ bool load_filter() {
 
 }  // namespace
 
-Confinement confine() {
+Confinement confine(std::uint64_t more_memory) {
     if (const rlim_t used = memory_in_use(); used > 0) {
-        limit(RLIMIT_AS, used + kMoreMemory);
+        limit(RLIMIT_AS, used + more_memory);
     }
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);

@@ -11,10 +11,10 @@ enum class Confinement : std::uint8_t {
 };
 
 /// Takes from this process, for good, what a decoder does not need: files and sockets but those
-/// that are open, other programs, threads, more rights; more than 512 MB of memory than it has now.
-/// A system call that is not on the list is answered with EPERM. Libraries must be loaded before.
-/// Threads: the only one. Real-time: no.
-[[nodiscard]] Confinement confine();
+/// that are open, other programs, threads, more rights; more than `more_memory` bytes of memory
+/// than it has now. A system call that is not on the list is answered with EPERM. Libraries must be
+/// loaded before. Threads: the only one. Real-time: no.
+[[nodiscard]] Confinement confine(std::uint64_t more_memory);
 
 /// Ends this process when the other end of this pipe is closed, also while a decoder spins. (Not by
 /// PR_SET_PDEATHSIG, which counts the end of the *thread* that started it.)

@@ -75,31 +75,37 @@ void set_jpeg(AVCodecContext& codec, const QualityRow& row) {
 /// Converts RGBA to the encoder's format with its own colour matrix and range; swscale alone would
 /// assume BT.601 for everything. Null on failure.
 ScalerHandle make_scaler(const AVCodecContext& codec) {
-    ScalerHandle scaler(sws_getContext(codec.width,
-                                       codec.height,
-                                       AV_PIX_FMT_RGBA,
-                                       codec.width,
-                                       codec.height,
-                                       codec.pix_fmt,
-                                       SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT,
-                                       nullptr,
-                                       nullptr,
-                                       nullptr));
-    if (scaler) {
-        constexpr int kUnity = 1 << 16;
-        const bool is_full = codec.color_range == AVCOL_RANGE_JPEG;
-        const int* const from_rgb = sws_getCoefficients(is_full ? SWS_CS_ITU601 : SWS_CS_ITU709);
-        // Source: full range RGB. Destination: the matrix above, full range for JPEG alone.
-        sws_setColorspaceDetails(scaler.get(),
-                                 sws_getCoefficients(SWS_CS_DEFAULT),
-                                 1,
-                                 from_rgb,
-                                 is_full ? 1 : 0,
-                                 0,
-                                 kUnity,
-                                 kUnity);
+    ScalerHandle scaler(sws_alloc_context());
+    if (!scaler) {
+        return nullptr;
     }
-    return scaler;
+    const bool is_full = codec.color_range == AVCOL_RANGE_JPEG;
+    const auto set = [&scaler](const char* name, int value) {
+        av_opt_set_int(scaler.get(), name, value, 0);
+    };
+    set("srcw", codec.width);
+    set("srch", codec.height);
+    set("src_format", AV_PIX_FMT_RGBA);
+    set("dstw", codec.width);
+    set("dsth", codec.height);
+    set("dst_format", codec.pix_fmt);
+    set("sws_flags", SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT);
+    // Halved colour lies between two pixels in JPEG, on the left one in films (1/256 of a pixel):
+    // readers take it so, and what is coloured would be half a pixel beside itself.
+    set("dst_h_chr_pos", is_full ? 128 : 0);
+    set("dst_v_chr_pos", 128);
+    constexpr int kUnity = 1 << 16;
+    const int* const from_rgb = sws_getCoefficients(is_full ? SWS_CS_ITU601 : SWS_CS_ITU709);
+    // Source: full range RGB. Destination: the matrix above, full range for JPEG alone.
+    sws_setColorspaceDetails(scaler.get(),
+                             sws_getCoefficients(SWS_CS_DEFAULT),
+                             1,
+                             from_rgb,
+                             is_full ? 1 : 0,
+                             0,
+                             kUnity,
+                             kUnity);
+    return sws_init_context(scaler.get(), nullptr, nullptr) < 0 ? nullptr : std::move(scaler);
 }
 
 /// The encoder of a form: FFmpeg's name, how it is set up, and what to do without it.

@@ -95,6 +95,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
      {"base", "models", "motion", "motion/**", "training/figures", "training/hmm"}},
 
     {"engine/decode", {"base", "audio/io"}},
+    {"engine/films", {"base", "audio/io"}},
     {"engine/setup", {"base", "audio", "audio/**", "motion", "motion/**"}},
     {"engine/live",
      {"base", "base/channels", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},

@@ -36,6 +36,7 @@ std::span<const Reader> readers() {
         {"points_csv", read_points_csv, {}, 300},
         {"midi", read_midi, {}, 2000, Content::bytes},
         {"sound", read_sound, {}, 60, Content::bytes},
+        {"film", read_film, {}, 60, Content::bytes},
         {"genre_samples", read_genre_samples, {}, 300, Content::bytes},
         {"bone_labels", read_bone_label_file, {}, 2000},
         {"joint_map", read_joint_map_file, {}, 2000},

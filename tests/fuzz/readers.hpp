@@ -56,6 +56,7 @@ bool read_trc(std::string_view text);           ///< the same
 bool read_points_csv(std::string_view text);    ///< the same
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
+bool read_film(std::string_view bytes);         ///< of any format, its first pictures
 bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps
 bool read_bone_label_file(std::string_view text);  ///< labels of avatars
 bool read_joint_map_file(std::string_view text);   ///< of clips; and puts it to one

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "audio/io/decode_protocol.hpp"
+#include "audio/io/descriptor.hpp"
+#include "engine/films/film_reader.hpp"
+
+namespace raks::engine {
+
+/// A running raks-decode --pictures, which decodes one film after the other. Trusts nothing that it
+/// says. For engine/films alone. Threads: one. Real-time: no.
+class FilmChild {
+ public:
+    /// A new one. Errors: it is not installed, cannot be started.
+    [[nodiscard]] static Expected<std::unique_ptr<FilmChild>> start(
+        std::function<bool()> is_stop_requested);
+    /// Kills it and waits for its end.
+    ~FilmChild();
+    FilmChild(const FilmChild&) = delete;             ///< one owner
+    FilmChild& operator=(const FilmChild&) = delete;  ///< likewise
+
+    /// Opens the next film, of which all pictures must have been read before.
+    [[nodiscard]] Expected<FilmInfo> open(const std::filesystem::path& path);
+    /// The next picture; none at the end, or where the child broke off: see warning().
+    [[nodiscard]] Expected<std::optional<FilmPicture>> next();
+    /// Of the film that was opened last.
+    [[nodiscard]] const std::string& warning() const noexcept { return warning_; }
+
+ private:
+    enum class Waited : std::uint8_t { answer, broke, hung, stopped };
+
+    FilmChild() = default;
+    [[nodiscard]] Waited wait(int descriptor) const;
+    [[nodiscard]] Waited receive();
+    [[nodiscard]] Waited read_pixels(std::span<std::uint8_t> bytes);
+    [[nodiscard]] std::string end(Waited why);
+    [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(Waited why);
+
+    pid_t pid_ = -1;
+    audio::Descriptor socket_;
+    audio::Descriptor pictures_;
+    audio::Descriptor lifeline_;
+    std::function<bool()> is_stop_requested_;
+    std::string name_;
+    std::string warning_;
+    bool has_film_ = false;
+    std::optional<double> newest_;  // seconds
+    audio::DecodeMessage message_;
+};
+
+}  // namespace raks::engine
