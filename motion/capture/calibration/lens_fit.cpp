@@ -1,0 +1,181 @@
+#include "motion/capture/calibration/lens_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/calib3d.hpp>
+
+#include "motion/capture/calibration/one_thread.hpp"
+#include "motion/capture/camera/rotation.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::capture {
+
+namespace {
+
+constexpr std::size_t kFewestLensCorners = 6;
+constexpr std::size_t kFewestViews = 3;
+
+// The views that are used, as OpenCV wants them.
+struct UsedViews {
+    std::vector<std::vector<cv::Point3f>> places;
+    std::vector<std::vector<cv::Point2f>> pixels;
+    std::vector<std::size_t> numbers;  // of the views
+};
+
+// Seen in line, corners say nothing.
+bool is_of_use(const Board& board, const std::vector<BoardCorner>& corners) {
+    const auto row_of = [&](const BoardCorner& c) { return corner_place(board, c.corner).y; };
+    const auto column_of = [&](const BoardCorner& c) { return corner_place(board, c.corner).x; };
+    return corners.size() >= kFewestLensCorners &&
+           std::any_of(
+               corners.begin(),
+               corners.end(),
+               [&](const BoardCorner& c) { return row_of(c) != row_of(corners.front()); }) &&
+           std::any_of(corners.begin(), corners.end(), [&](const BoardCorner& c) {
+               return column_of(c) != column_of(corners.front());
+           });
+}
+
+UsedViews used_views(const Board& board, const std::vector<std::vector<BoardCorner>>& views) {
+    UsedViews used;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (!is_of_use(board, views[i])) {
+            continue;
+        }
+        used.numbers.push_back(i);
+        used.places.emplace_back();
+        used.pixels.emplace_back();
+        for (const BoardCorner& corner : views[i]) {
+            const glm::dvec2 place = corner_place(board, corner.corner);
+            used.places.back().emplace_back(
+                static_cast<float>(place.x), static_cast<float>(place.y), 0.0F);
+            used.pixels.back().emplace_back(static_cast<float>(corner.pixel.x),
+                                            static_cast<float>(corner.pixel.y));
+        }
+    }
+    return used;
+}
+
+Lens lens_of(int width, int height, const cv::Mat& matrix, const cv::Mat& distortion) {
+    Lens lens{width,
+              height,
+              matrix.at<double>(0, 0),
+              matrix.at<double>(1, 1),
+              matrix.at<double>(0, 2),
+              matrix.at<double>(1, 2),
+              {}};
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, distortion.total()); ++i) {
+        lens.distortion[i] = distortion.at<double>(static_cast<int>(i));
+    }
+    return lens;
+}
+
+bool is_finite(const Lens& lens) noexcept {
+    return std::isfinite(lens.fx) && std::isfinite(lens.fy) && std::isfinite(lens.cx) &&
+           std::isfinite(lens.cy) && lens.fx > 0.0 && lens.fy > 0.0 &&
+           std::all_of(lens.distortion.begin(), lens.distortion.end(), [](double k) {
+               return std::isfinite(k);
+           });
+}
+
+// The largest angle between a board's normal and the first one's, as the camera saw them; radians.
+double spread_of(const std::vector<cv::Mat>& turns) {
+    const auto normal_of = [](const cv::Mat& turn) {
+        return rotation_of({turn.at<double>(0), turn.at<double>(1), turn.at<double>(2)})[2];
+    };
+    const glm::dvec3 first = normal_of(turns.front());
+    double widest = 0.0;
+    for (const cv::Mat& turn : turns) {
+        // From behind a board is no other pose.
+        const double along = std::abs(glm::dot(first, normal_of(turn)));
+        widest = std::max(widest, std::acos(std::min(along, 1.0)));
+    }
+    return widest;
+}
+
+void add_doubts(LensFit& fit, std::size_t views) {
+    constexpr std::size_t kFewViews = 10;
+    constexpr double kLargeRms = 1.0;  // pixels
+    if (views < kFewViews) {
+        fit.doubts.push_back(fmt::format(
+            "its lens is fitted to {} views of the board only; 20 or more are better", views));
+    }
+    if (fit.rms > kLargeRms) {
+        fit.doubts.push_back(
+            fmt::format("its lens explains the board to {:.2f} px only: is the board flat, and are "
+                        "the pictures "
+                        "sharp?",
+                        fit.rms));
+    }
+    if (!is_monotonic(fit.lens)) {
+        fit.doubts.emplace_back(
+            "its distortion folds over inside the picture: show the board in the corners, too, or "
+            "calibrate with 5 coefficients");
+    }
+}
+
+}  // namespace
+
+Expected<LensFit> fit_lens(int width,
+                           int height,
+                           const Board& board,
+                           const std::vector<std::vector<BoardCorner>>& views,
+                           const LensFitSettings& settings) {
+    const UsedViews used = used_views(board, views);
+    if (used.numbers.size() < kFewestViews) {
+        return fail(fmt::format(
+            "shows {} or more corners of the board in {} pictures only; {} or more are needed",
+            kFewestLensCorners,
+            used.numbers.size(),
+            kFewestViews));
+    }
+    use_one_thread();
+    int flags = settings.coefficients == 8 ? cv::CALIB_RATIONAL_MODEL : 0;
+    cv::Mat matrix = cv::Mat::eye(3, 3, CV_64F);
+    if (settings.has_square_pixels) {
+        flags |= cv::CALIB_FIX_ASPECT_RATIO;
+    }
+    cv::Mat distortion;
+    cv::Mat deviations;
+    cv::Mat view_errors;
+    std::vector<cv::Mat> turns;
+    LensFit fit;
+    try {
+        fit.rms = cv::calibrateCamera(used.places,
+                                      used.pixels,
+                                      cv::Size(width, height),
+                                      matrix,
+                                      distortion,
+                                      turns,
+                                      cv::noArray(),
+                                      deviations,
+                                      cv::noArray(),
+                                      view_errors,
+                                      flags);
+    } catch (const cv::Exception&) {
+        return fail("its pictures of the board explain no lens: is it the right board?");
+    }
+    fit.lens = lens_of(width, height, matrix, distortion);
+    fit.focal_deviation = deviations.at<double>(settings.has_square_pixels ? 1 : 0);
+    constexpr double kWorstFocal = 0.05;
+    constexpr double kLeastSpread = 0.15;  // radians
+    if (!is_finite(fit.lens) || spread_of(turns) < kLeastSpread ||
+        !(fit.focal_deviation <= kWorstFocal * fit.lens.fx)) {
+        return fail(
+            "all boards are in nearly one pose, which does not tell the focal length: tilt the "
+            "board "
+            "to all sides, by 30 degrees or more");
+    }
+    fit.view_rms.assign(views.size(), 0.0);
+    for (std::size_t i = 0; i < used.numbers.size(); ++i) {
+        fit.view_rms[used.numbers[i]] = view_errors.at<double>(static_cast<int>(i));
+    }
+    add_doubts(fit, used.numbers.size());
+    return fit;
+}
+
+}  // namespace raks::capture
