@@ -62,6 +62,8 @@ void add_dancing_commands(RaksCommands& table);
 void add_measuring_commands(RaksCommands& table);
 /// Adds train, which starts another program.
 void add_training_commands(RaksCommands& table);
+/// Adds capture, which starts another program.
+void add_capture_commands(RaksCommands& table);
 
 /// Adds --figures, which several commands have.
 void add_figures_option(CLI::App& app, engine::Settings& settings);

@@ -70,6 +70,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     add_dancing_commands(table);
     add_measuring_commands(table);
     add_training_commands(table);
+    add_capture_commands(table);
     add_config(table);
     // Help, version and wrong usage end here.
     if (const auto ended = read_usage(table.app(), argc, argv)) {

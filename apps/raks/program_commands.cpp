@@ -1,0 +1,80 @@
+// `raks train ...` runs the program raks-train, and `raks capture ...` raks-capture: both have
+// libraries that dancing does not need.
+#include <unistd.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/raks/command_table.hpp"
+#include "apps/terminal/say.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// A command of another program, as `raks --help` shows it.
+struct OtherCommand {
+    const char* name;
+    const char* help;
+};
+
+// Replaces this process by a program that lies beside it; returns only when that fails. A replaced
+// process keeps terminal, signals and exit code.
+ExitCode become(const char* name,
+                const std::string& command,
+                const std::vector<std::string>& arguments) {
+    std::error_code problem;
+    // Found beside the running file, not by PATH: both must be of the same build.
+    const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
+    std::string program = (self.parent_path() / name).string();
+    std::vector<std::string> words = {command};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    // argv must be writable and end in a null pointer.
+    std::vector<char*> argv = {program.data()};
+    for (std::string& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    let_libraries_speak();
+    execv(program.c_str(), argv.data());
+    return fail({program + ": is not there; it is installed with raks and has to lie beside it"});
+}
+
+void add_commands_of(RaksCommands& table,
+                     CLI::App& parent,
+                     const char* program,
+                     std::span<const OtherCommand> commands) {
+    parent.require_subcommand(1);
+    for (const OtherCommand& other : commands) {
+        CLI::App* command = parent.add_subcommand(other.name, other.help);
+        // All words after the command are passed on unparsed, --help too.
+        command->prefix_command();
+        command->set_help_flag();
+        command->callback([&table, command, program] {
+            table.choose([program, name = command->get_name(), arguments = command->remaining()] {
+                return become(program, name, arguments);
+            });
+        });
+    }
+}
+
+}  // namespace
+
+void add_training_commands(RaksCommands& table) {
+    constexpr OtherCommand kCommands[] = {{"figure", "learn a dance figure from motion"},
+                                          {"report", "show how figures are learnt"},
+                                          {"beats", "learn to track beats from MIDI files"},
+                                          {"genre", "learn to tell dances apart from music"}};
+    CLI::App* train = table.app().add_subcommand("train", "learn from recordings");
+    add_commands_of(table, *train, "raks-train", kCommands);
+}
+
+void add_capture_commands(RaksCommands& table) {
+    constexpr OtherCommand kCommands[] = {
+        {"simulate", "film a known dance with cameras that there are not"},
+        {"track", "follow the markers through all films"}};
+    CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");
+    add_commands_of(table, *capture, "raks-capture", kCommands);
+}
+
+}  // namespace raks::apps

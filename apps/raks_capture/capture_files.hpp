@@ -1,0 +1,36 @@
+// Capture files: the values that the steps of a capture read from its folder.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "apps/raks_capture/capture_plan.hpp"
+#include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/labels.hpp"
+#include "motion/capture/markers/observations.hpp"
+#include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/edits.hpp"
+
+namespace raks::apps {
+
+/// rig.toml of a capture, with a line for each doubt. Errors: none there (calibrate first), those
+/// of the file.
+[[nodiscard]] Expected<capture::Rig> load_capture_rig(const CapturePlan& plan);
+
+/// clocks.toml. Without the file, where the cameras have no sound to tell: an error that says so.
+[[nodiscard]] Expected<std::vector<capture::Clock>> load_clocks(const CapturePlan& plan);
+
+/// detections.csv. Errors: none there, those of the file.
+[[nodiscard]] Expected<capture::Observations> load_observations(const CapturePlan& plan);
+
+/// labels.tsv. Errors: none there (label first), those of the file.
+[[nodiscard]] Expected<std::vector<capture::MarkerLabel>> load_labels(
+    const std::filesystem::path& file);
+
+/// edits.jsonl; none there: no edits. Errors: those of the file.
+[[nodiscard]] Expected<std::vector<capture::Edit>> load_edits(const CapturePlan& plan);
+
+/// tracks.csv and flags.tsv of a folder. Errors: none there (track first), those of the files.
+[[nodiscard]] Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder);
+
+}  // namespace raks::apps

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "apps/clips/body_options.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
+#include "apps/terminal/command_table.hpp"
+
+/// The commands of the program `raks-capture`, which `raks capture` starts.
+namespace raks::apps {
+
+/// Adds `simulate`.
+void add_simulate(CommandTable& table);
+/// Adds `track`.
+void add_track(CommandTable& table);
+
+}  // namespace raks::apps

@@ -1,0 +1,142 @@
+// `raks capture track`: follows the markers through all films.
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/commands.hpp"
+#include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/pending_file.hpp"
+#include "motion/capture/tracking/marker_tracker.hpp"
+#include "motion/capture/tracking/track_errors.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// Arguments of `raks capture track`.
+struct TrackArguments {
+    Path folder;
+    Path labels;  ///< empty: labels.tsv of the folder
+    Path truth;   ///< folder with tracks.csv; empty: none
+    double sigma = 1.0;
+    double acceleration = 20.0;
+    double smoothing = 20.0;
+};
+
+Expected<void> write_tracks(const CapturePlan& plan, const capture::Tracks& tracks) {
+    const std::pair<const char*, std::string> files[] = {
+        {"tracks.csv", capture::tracks_text(tracks)},
+        {"flags.tsv", capture::flags_text(tracks)},
+        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
+    for (const auto& [name, text] : files) {
+        if (auto written = write_file(plan.file(name), text); !written) {
+            return written;
+        }
+    }
+    return {};
+}
+
+// How far each stage is from the truth.
+Expected<void> print_errors(const capture::TrackerStages& stages, const Path& folder) {
+    const auto truth = load_tracks(folder);
+    if (!truth) {
+        return fail(truth.error());
+    }
+    const std::pair<const char*, const capture::Tracks*> rows[] = {
+        {"triangulated", &stages.triangulated},
+        {"filtered", &stages.filtered},
+        {"smoothed", &stages.smoothed}};
+    for (const auto& [name, tracks] : rows) {
+        const auto errors = capture::track_errors(*tracks, *truth);
+        if (!errors) {
+            return fail(errors.error());
+        }
+        fmt::print("{:12} mean {:5.2f} mm, over 100 mm or lost {:6.3f} %{}\n",
+                   name,
+                   1000.0 * errors->mean,
+                   100.0 * errors->wrong_share(),
+                   tracks == &stages.smoothed
+                       ? fmt::format(", {:.1f} % of them flagged", 100.0 * errors->flagged_share())
+                       : "");
+    }
+    return {};
+}
+
+std::string summary_of(const capture::Tracks& tracks) {
+    std::size_t lost = 0;
+    std::size_t filled = 0;
+    for (const capture::MarkerPlace& place : tracks.places) {
+        lost += place.source == capture::PlaceSource::lost ? 1U : 0U;
+        filled += place.source == capture::PlaceSource::filled ? 1U : 0U;
+    }
+    const double share = 100.0 / static_cast<double>(tracks.places.size());
+    return fmt::format(
+        "{} markers, {} frames: {:.1f} % filled, {:.1f} % lost; {} stretches to look at",
+        tracks.markers.size(),
+        tracks.frame_count,
+        share * static_cast<double>(filled),
+        share * static_cast<double>(lost),
+        tracks.flags.size());
+}
+
+ExitCode track(const TrackArguments& arguments) {
+    const auto plan = load_capture_plan(arguments.folder);
+    if (!plan) {
+        return fail(plan.error());
+    }
+    const auto rig = load_capture_rig(*plan);
+    const auto markers = load_markers(*plan);
+    const auto clocks = load_clocks(*plan);
+    const auto seen = load_observations(*plan);
+    const auto labels =
+        load_labels(arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels);
+    const auto edits = load_edits(*plan);
+    for (const Error* const error : {rig ? nullptr : &rig.error(),
+                                     markers ? nullptr : &markers.error(),
+                                     clocks ? nullptr : &clocks.error(),
+                                     seen ? nullptr : &seen.error(),
+                                     labels ? nullptr : &labels.error(),
+                                     edits ? nullptr : &edits.error()}) {
+        if (error != nullptr) {
+            return fail(*error);
+        }
+    }
+    capture::TrackerOptions options;
+    options.frames_per_second = plan->frames_per_second;
+    options.first_time = plan->start;
+    options.sigma = arguments.sigma;
+    options.acceleration = arguments.acceleration;
+    options.smoothing = arguments.smoothing;
+    options.height = plan->height;
+    const auto stages =
+        capture::track_markers({*rig, *markers, *seen, *clocks, *labels, *edits}, options);
+    if (!stages) {
+        return fail(Error(stages.error()).in(arguments.folder.string()));
+    }
+    if (auto written = write_tracks(*plan, stages->smoothed); !written) {
+        return fail(std::move(written.error()));
+    }
+    say(summary_of(stages->smoothed));
+    return arguments.truth.empty() ? ExitCode(kExitDone)
+                                   : exit_code_of(print_errors(*stages, arguments.truth));
+}
+
+}  // namespace
+
+void add_track(CommandTable& table) {
+    const auto [app, arguments] = table.add<TrackArguments>(
+        table.app(), "track", "follow the markers through all films", &track);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--labels", arguments->labels, "which marker is where in first pictures (TSV)");
+    app->add_option("--sigma", arguments->sigma, "error of a point in a picture, pixels")
+        ->check(in_range(0.01, 20.0));
+    app->add_option("--acceleration", arguments->acceleration, "of markers when followed, m/s^2")
+        ->check(in_range(0.1, 1000.0));
+    app->add_option("--smoothing", arguments->smoothing, "the same when smoothed afterwards")
+        ->check(in_range(0.1, 1000.0));
+    app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
+}
+
+}  // namespace raks::apps

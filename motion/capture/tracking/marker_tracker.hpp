@@ -1,0 +1,63 @@
+// Marker tracker: follows all markers through the films of all cameras (paper, sections 3.1 and
+// 3.2).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/labels.hpp"
+#include "motion/capture/markers/marker_set.hpp"
+#include "motion/capture/markers/observations.hpp"
+#include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/edits.hpp"
+
+namespace raks::capture {
+
+/// What is tracked.
+struct TrackerInput {
+    const Rig& rig;
+    const MarkerSet& markers;
+    const Observations& seen;
+    const std::vector<Clock>& clocks;        ///< one for each film
+    const std::vector<MarkerLabel>& labels;  ///< each marker at least once in two cameras, at one
+                                             ///< moment
+    const std::vector<Edit>& edits;          ///< what a person corrected; applied in order
+};
+
+/// How it is tracked.
+struct TrackerOptions {
+    double frames_per_second = 60.0;  ///< of the tracks
+    std::optional<double>
+        first_time;              ///< capture time of frame 0; none: as soon as two cameras see
+    double sigma = 1.0;          ///< standard deviation of a detection's coordinates, pixels
+    double acceleration = 20.0;  ///< of a marker, m/s^2: how far it may leave its prediction
+    double smoothing = 20.0;     ///< the same when the tracks are smoothed afterwards
+    double height = 0.0;         ///< of the dancer, metres; 0: the mannequin's
+};
+
+/// The same tracks at three stages: what a figure of the first two is compared with.
+struct TrackerStages {
+    Tracks triangulated;  ///< each frame by itself
+    Tracks filtered;      ///< by Kalman's filter, as a live tracker would have them
+    Tracks smoothed;      ///< with what follows known, too; gaps up to 0.5 s filled; with flags
+};
+
+/// Follows the markers. In each frame every marker is predicted, matched with spots of its colour
+/// near its projection (chi-square gate), triangulated from all views that agree, and filtered. A
+/// marker that fewer than two views see goes on by its velocity for two frames, then with the other
+/// markers; after five it is sought among the unused spots of its colour. A place that the body
+/// does not allow (distance_limits.hpp) is not believed: of the markers concerned the one that most
+/// of its neighbours contradict is given up and sought again. At the end each track is smoothed
+/// (Rauch, Tung and Striebel); gaps of 0.2 s and longer are flagged, those of 0.5 s are not filled.
+///
+/// Errors, one line each: what check_rig refuses; a film whose camera the rig has not, or without a
+/// clock; a label whose camera or marker there is not; no moment at which two cameras film; no
+/// marker that is labelled in two cameras at one moment. Same input, same bits. Threads: any, one
+/// a call. Cost: about 2,000 frames of six cameras a second.
+[[nodiscard]] Expected<TrackerStages> track_markers(const TrackerInput& input,
+                                                    const TrackerOptions& options);
+
+}  // namespace raks::capture
