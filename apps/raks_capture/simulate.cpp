@@ -16,6 +16,8 @@
 #include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::apps {
 namespace {
 
@@ -42,6 +44,36 @@ struct FilmedMotion {
     double frames_per_second = 0.0;
 };
 
+// The fastest of the ends of the limbs between two frames; metres a second.
+double fastest_end(const FilmedMotion& filmed, std::size_t frame) {
+    using motion::Bone;
+    const auto& skeleton = motion::mannequin_skeleton();
+    const motion::WorldPose before = motion::world_pose(skeleton, filmed.poses[frame - 1]);
+    const motion::WorldPose after = motion::world_pose(skeleton, filmed.poses[frame]);
+    double farthest = 0.0;
+    for (const Bone bone :
+         {Bone::left_hand, Bone::right_hand, Bone::left_foot, Bone::right_foot, Bone::head}) {
+        farthest = std::max(
+            farthest,
+            static_cast<double>(glm::distance(after.position(bone), before.position(bone))));
+    }
+    return farthest * filmed.frames_per_second;
+}
+
+// Many recordings begin with a T-pose that the dance leaves by a jump within a few frames, which no
+// dancer makes and no camera could follow: the pose behind it is held in its place.
+void hold_before_jump(FilmedMotion& filmed) {
+    constexpr double kLongest = 0.5;      // seconds
+    constexpr double kFastestHand = 7.0;  // metres a second
+    const auto last = std::min(filmed.poses.size() - 1,
+                               static_cast<std::size_t>(kLongest * filmed.frames_per_second));
+    std::size_t jump = 0;
+    for (std::size_t frame = 1; frame <= last; ++frame) {
+        jump = fastest_end(filmed, frame) > kFastestHand ? frame : jump;
+    }
+    std::fill_n(filmed.poses.begin(), jump, filmed.poses[jump]);
+}
+
 Expected<FilmedMotion> read_filmed_motion(const SimulateArguments& arguments) {
     auto clip = motion::read_skeleton_motion(arguments.motion, clip_reading(arguments.fps));
     if (!clip) {
@@ -54,11 +86,7 @@ Expected<FilmedMotion> read_filmed_motion(const SimulateArguments& arguments) {
         return fail(std::move(danced.error()).in(arguments.motion.string()));
     }
     FilmedMotion filmed{std::move(danced->poses), danced->frames_per_second * arguments.tempo};
-    // A T-pose in front of the dance is left by a jump that no dancer makes.
-    const std::size_t rests = motion::leading_rest_frames(*clip);
-    for (std::size_t i = 0; i < rests && rests < filmed.poses.size(); ++i) {
-        filmed.poses[i] = filmed.poses[rests];
-    }
+    hold_before_jump(filmed);
     if (arguments.seconds > 0.0) {
         const auto count =
             static_cast<std::size_t>(arguments.seconds * filmed.frames_per_second) + 1;

@@ -104,6 +104,7 @@ FrameViews::FrameViews(const Rig& rig,
                        const Observations& seen,
                        const std::vector<std::size_t>& cameras,
                        const std::vector<Clock>& clocks,
+                       const std::vector<std::optional<std::size_t>>& classes,
                        double first_time,
                        double frames_per_second,
                        std::size_t frame_count)
@@ -117,9 +118,12 @@ FrameViews::FrameViews(const Rig& rig,
             }
             const double late = time - first_time - frame / frames_per_second;
             for (const Detection& detection : picture.detections) {
+                if (!classes[detection.colour]) {
+                    continue;
+                }
                 spots_[static_cast<std::size_t>(frame)].push_back(
                     {cameras[film],
-                     detection.colour,
+                     *classes[detection.colour],
                      detection.pixel,
                      direction_of(rig.cameras[cameras[film]].lens, detection.pixel),
                      late});

@@ -15,7 +15,7 @@ namespace raks::capture {
 /// A spot in the picture of one camera.
 struct Spot {
     std::size_t camera = 0;
-    std::size_t colour = 0;
+    std::size_t colour = 0;  ///< class of the markers that it may be
     glm::dvec2 pixel{};
     glm::dvec2 direction{};  ///< direction_of() the pixel
     double late = 0.0;       ///< when its picture was taken, against the frame's moment; seconds
@@ -34,11 +34,13 @@ struct SaidView {
 /// The spots of each frame: every picture belongs to the frame that is nearest in time.
 class FrameViews {
  public:
-    /// Film i of `seen` belongs to camera `cameras[i]` of the rig and has clock `clocks[i]`.
+    /// Film i of `seen` belongs to camera `cameras[i]` of the rig and has clock `clocks[i]`; its
+    /// colour i is class `classes[i]` of the markers, those without one are passed over.
     FrameViews(const Rig& rig,
                const Observations& seen,
                const std::vector<std::size_t>& cameras,
                const std::vector<Clock>& clocks,
+               const std::vector<std::optional<std::size_t>>& classes,
                double first_time,
                double frames_per_second,
                std::size_t frame_count);

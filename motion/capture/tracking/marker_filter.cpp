@@ -41,6 +41,11 @@ Matrix6 covariance_of(const MarkerBelief& belief) {
     return covariance;
 }
 
+// Rounding makes covariances a little asymmetric, and what is asymmetric grows.
+glm::dmat3 symmetric(const glm::dmat3& matrix) {
+    return 0.5 * (matrix + glm::transpose(matrix));
+}
+
 void set_covariance(MarkerBelief& belief, const Matrix6& covariance) {
     belief.place_covariance = matrix_of(covariance.topLeftCorner<3, 3>());
     belief.mixed_covariance = matrix_of(covariance.topRightCorner<3, 3>());
@@ -79,9 +84,11 @@ MarkerBelief updated(const MarkerBelief& belief, const MeasuredPlace& measured) 
     MarkerBelief next = belief;
     next.place += place_gain * miss;
     next.velocity += velocity_gain * miss;
-    next.place_covariance -= place_gain * belief.place_covariance;
+    next.place_covariance =
+        symmetric(belief.place_covariance - place_gain * belief.place_covariance);
     next.mixed_covariance -= place_gain * belief.mixed_covariance;
-    next.velocity_covariance -= velocity_gain * belief.mixed_covariance;
+    next.velocity_covariance =
+        symmetric(belief.velocity_covariance - velocity_gain * belief.mixed_covariance);
     return next;
 }
 

@@ -252,6 +252,19 @@ Expected<void> check_labels(const TrackerInput& input, const TrackRunInput& run)
     return fail("no marker is labelled in two cameras at one moment; run raks capture label");
 }
 
+// By colour of the observations: its class of the markers; none: no marker has it.
+std::vector<std::optional<std::size_t>> classes_of(const TrackerInput& input) {
+    const std::vector<std::string> known = input.markers.colours();
+    std::vector<std::optional<std::size_t>> classes;
+    for (const std::string& colour : input.seen.colours) {
+        const auto found = std::find(known.begin(), known.end(), colour);
+        classes.push_back(found != known.end()
+                              ? std::optional(static_cast<std::size_t>(found - known.begin()))
+                              : std::nullopt);
+    }
+    return classes;
+}
+
 Tracks empty_tracks(const TrackerInput& input, const TimeLine& line, double rate) {
     Tracks tracks;
     for (const Marker& marker : input.markers.markers) {
@@ -293,6 +306,7 @@ Expected<TrackerStages> track_markers(const TrackerInput& input, const TrackerOp
                      input.seen,
                      films->cameras,
                      films->clocks,
+                     classes_of(input),
                      line->first,
                      options.frames_per_second,
                      line->frame_count);

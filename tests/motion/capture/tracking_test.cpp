@@ -1,0 +1,240 @@
+// Markers are followed through points of a studio in which everything is known.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/dice.hpp"
+#include "motion/capture/studio/point_studio.hpp"
+#include "motion/capture/tracking/distance_limits.hpp"
+#include "motion/capture/tracking/edits.hpp"
+#include "motion/capture/tracking/marker_filter.hpp"
+#include "motion/capture/tracking/marker_tracker.hpp"
+#include "motion/capture/tracking/track_errors.hpp"
+#include "tests/support/mangled.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace raks::capture {
+namespace {
+
+// Somebody who turns, swings the arms and lifts the feet, at 60 frames a second.
+std::vector<motion::Pose> swinging(double seconds) {
+    std::vector<motion::Pose> poses;
+    for (int i = 0; i < static_cast<int>(60.0 * seconds); ++i) {
+        const float phase = 6.2831853F * static_cast<float>(i) / 60.0F;
+        const auto about = [&](float angle, glm::vec3 axis) { return glm::angleAxis(angle, axis); };
+        motion::Pose pose;
+        pose.hips_position = {0.3F * std::sin(0.3F * phase), 0.9F, 0.2F * std::cos(0.3F * phase)};
+        pose.rotation(motion::Bone::hips) = about(0.4F * phase, {0, 1, 0});
+        pose.rotation(motion::Bone::left_upper_arm) =
+            about(-1.1F + 0.4F * std::sin(phase), {0, 0, 1});
+        pose.rotation(motion::Bone::right_upper_arm) =
+            about(1.1F - 0.4F * std::sin(phase), {0, 0, 1});
+        pose.rotation(motion::Bone::left_lower_arm) =
+            about(-0.8F - 0.4F * std::sin(phase), {0, 1, 0});
+        pose.rotation(motion::Bone::left_upper_leg) =
+            about(-0.3F + 0.3F * std::sin(phase), {1, 0, 0});
+        pose.rotation(motion::Bone::left_lower_leg) =
+            about(0.4F - 0.3F * std::sin(phase), {1, 0, 0});
+        poses.push_back(pose);
+    }
+    return poses;
+}
+
+/// A take of that dance and all that a tracker needs.
+struct Scene {
+    explicit Scene(const StudioOptions& options, MarkerColours colours = MarkerColours::unique)
+        : markers(default_markers(colours)),
+          take(film_points({motion::mannequin_skeleton(), poses, 60.0}, rig, markers, options)) {}
+
+    [[nodiscard]] Expected<TrackerStages> track(const std::vector<Edit>& edits = {}) const {
+        TrackerOptions options;
+        options.frames_per_second = take.truth.frames_per_second;
+        options.first_time = 0.0;
+        return track_markers({rig, markers, take.seen, clocks, take.labels, edits}, options);
+    }
+    [[nodiscard]] TrackErrors errors(const Tracks& tracks) const {
+        return *track_errors(tracks, take.truth);
+    }
+
+    std::vector<motion::Pose> poses = swinging(4.0);
+    Rig rig = studio_rig();
+    MarkerSet markers;
+    StudioTake take;
+    std::vector<Clock> clocks = take.clocks;
+};
+
+TEST(MarkerFilter, is_that_of_textbooks_on_a_line) {
+    // A point at constant speed, seen exactly: after a few frames place and speed are known.
+    MeasuredPlace seen{{0.0, 1.0, 0.0}, glm::dmat3(1e-6)};
+    MarkerBelief belief = first_belief(seen);
+    for (int i = 1; i <= 10; ++i) {
+        belief = predicted(belief, 0.1, 0.1);
+        seen.place.x = 0.05 * i;
+        belief = updated(belief, seen);
+    }
+    EXPECT_NEAR(belief.place.x, 0.5, 1e-3);
+    EXPECT_NEAR(belief.velocity.x, 0.5, 1e-2);
+    EXPECT_LT(belief.deviation(), 0.002);
+}
+
+TEST(MarkerFilter, the_smoother_halves_the_error_and_stays_bounded) {
+    Dice dice(1, 1);
+    std::vector<std::optional<MeasuredPlace>> seen;
+    std::vector<glm::dvec3> truth;
+    for (int i = 0; i < 2000; ++i) {
+        truth.emplace_back(std::sin(0.03 * i), std::cos(0.02 * i), 0.0);
+        const glm::dvec3 noise(dice.normal(0.01), dice.normal(0.01), dice.normal(0.01));
+        seen.push_back(MeasuredPlace{truth.back() + noise, glm::dmat3(1e-4)});
+    }
+    double raw = 0.0;
+    double smooth = 0.0;
+    const auto beliefs = smoothed(seen, 1.0 / 60.0, 5.0);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        raw += glm::distance(seen[i]->place, truth[i]);
+        smooth += glm::distance(beliefs[i].place, truth[i]);
+    }
+    EXPECT_LT(smooth, 0.5 * raw);
+}
+
+TEST(DistanceLimits, hold_for_any_pose_of_the_body) {
+    const MarkerSet markers = default_markers();
+    const auto limits = distance_limits(markers, 0.0);
+    EXPECT_GT(limits.size(), 25U);
+    for (const motion::Pose& pose : swinging(3.0)) {
+        const auto places = marker_places(markers,
+                                          motion::mannequin_skeleton(),
+                                          motion::world_pose(motion::mannequin_skeleton(), pose));
+        for (const DistanceLimit& limit : limits) {
+            const double apart = glm::distance(places[limit.one], places[limit.other]);
+            EXPECT_GE(apart, limit.least) << markers.markers[limit.one].name;
+            EXPECT_LE(apart, limit.most) << markers.markers[limit.one].name;
+        }
+    }
+}
+
+TEST(MarkerTracker, follows_every_marker_in_a_clean_scene) {
+    const Scene scene({});
+    const auto stages = scene.track();
+    ASSERT_TRUE(stages) << stages.error().message;
+    EXPECT_LT(scene.errors(stages->triangulated).mean, 0.0075);
+    EXPECT_LT(scene.errors(stages->smoothed).mean, 0.0055);
+    EXPECT_LE(scene.errors(stages->smoothed).wrong_share(), 0.005);
+    EXPECT_LT(scene.errors(stages->smoothed).mean, scene.errors(stages->filtered).mean);
+}
+
+TEST(MarkerTracker, tells_markers_of_one_colour_apart) {
+    const Scene scene({}, MarkerColours::five);
+    const auto stages = scene.track();
+    ASSERT_TRUE(stages) << stages.error().message;
+    EXPECT_LE(scene.errors(stages->smoothed).wrong_share(), 0.05);
+}
+
+TEST(MarkerTracker, goes_on_through_drops_clutter_and_clocks_that_are_off) {
+    const Scene scene({.noise = 1.5, .drop = 0.3, .clutter = 6, .clock_error = 0.005, .seed = 4});
+    const auto stages = scene.track();
+    ASSERT_TRUE(stages) << stages.error().message;
+    EXPECT_LE(scene.errors(stages->smoothed).wrong_share(), 0.03);
+}
+
+TEST(MarkerTracker, is_the_same_for_the_same_input) {
+    const Scene scene({.drop = 0.2, .clutter = 3});
+    EXPECT_EQ(tracks_text(scene.track()->smoothed), tracks_text(scene.track()->smoothed));
+}
+
+TEST(MarkerTracker, a_hidden_stretch_is_filled_and_flagged) {
+    const Scene scene({});
+    const auto stages = scene.track({{EditKind::hide, "head", "", "", 40, 52, {}}});
+    ASSERT_TRUE(stages);
+    const std::size_t head = *scene.markers.index_of("head");
+    EXPECT_EQ(stages->smoothed.at(45, head).source, PlaceSource::filled);
+    EXPECT_EQ(stages->smoothed.at(39, head).source, PlaceSource::seen);
+    EXPECT_TRUE(std::any_of(stages->smoothed.flags.begin(),
+                            stages->smoothed.flags.end(),
+                            [&](const Flag& flag) {
+                                return flag.doubt == Doubt::filled && flag.marker == head &&
+                                       flag.first == 40;
+                            }));
+}
+
+TEST(MarkerTracker, a_swap_exchanges_two_markers_from_there_on) {
+    const Scene scene({}, MarkerColours::five);
+    // Both wrists are of one colour. Swapped, they break the body's limits, so that the tracker
+    // itself puts them right; without neighbours nothing contradicts.
+    const auto plain = scene.track();
+    const auto swapped = scene.track({{EditKind::swap, "left_wrist", "right_wrist", "", 30, 30, {}}});
+    ASSERT_TRUE(plain && swapped);
+    const std::size_t left = *scene.markers.index_of("left_wrist");
+    EXPECT_EQ(plain->triangulated.at(29, left).place, swapped->triangulated.at(29, left).place);
+    EXPECT_NE(tracks_text(plain->smoothed), tracks_text(swapped->smoothed));
+}
+
+TEST(MarkerTracker, a_person_can_set_a_marker_that_was_lost) {
+    Scene scene({});
+    // The head is not labelled, so nobody knows where it is until it is set in two views.
+    std::erase_if(scene.take.labels, [](const auto& label) { return label.marker == "head"; });
+    const std::size_t head = *scene.markers.index_of("head");
+    const glm::dvec3 place = scene.take.truth.at(50, head).place;
+    std::vector<Edit> edits;
+    for (const std::size_t camera : {0U, 2U}) {
+        edits.push_back({EditKind::set,
+                         "head",
+                         "",
+                         scene.rig.cameras[camera].name,
+                         50,
+                         50,
+                         *project(scene.rig.cameras[camera], place)});
+    }
+    const auto stages = scene.track(edits);
+    ASSERT_TRUE(stages) << stages.error().message;
+    EXPECT_EQ(stages->smoothed.at(20, head).source, PlaceSource::lost);
+    EXPECT_LT(glm::distance(stages->smoothed.at(80, head).place,
+                            scene.take.truth.at(80, head).place),
+              0.03);
+}
+
+TEST(MarkerTracker, says_what_is_missing_or_wrong) {
+    Scene scene({});
+    const auto message = [&] {
+        const auto stages = scene.track();
+        return stages ? std::string() : stages.error().message;
+    };
+    scene.take.labels[0].pixel = {-50.0, 10.0};
+    EXPECT_NE(message().find("outside"), std::string::npos);
+    scene.take.labels[0].marker = "tail";
+    EXPECT_NE(message().find("\"tail\""), std::string::npos);
+    scene.take.labels.clear();
+    EXPECT_NE(message().find("labelled"), std::string::npos);
+    scene.clocks.pop_back();
+    EXPECT_NE(message().find("clock"), std::string::npos);
+    scene.take.seen.films[0].camera = "other";
+    EXPECT_NE(message().find("not in the rig"), std::string::npos);
+    scene.rig.cameras.resize(1);
+    EXPECT_NE(message().find("two or more"), std::string::npos);
+}
+
+TEST(Edits, read_back_and_say_what_is_wrong) {
+    const std::vector<Edit> edits = {{EditKind::set, "head", "", "left", 12, 12, {0.1, 2.0}},
+                                     {EditKind::hide, "c7", "", "", 3, 9, {}},
+                                     {EditKind::swap, "a", "b", "", 7, 7, {}},
+                                     {EditKind::fill, "c7", "", "", 3, 3, {}}};
+    const auto read = read_edits(edits_text(edits), "e.jsonl");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, edits);
+    const auto why = [](const std::string& text) { return read_edits(text, "e").error().message; };
+    EXPECT_NE(why("{").find("line 1"), std::string::npos);
+    EXPECT_NE(why("\n{\"edit\":\"sett\"}").find("line 2"), std::string::npos);
+    EXPECT_NE(why("{\"edit\":\"hide\",\"marker\":\"a\",\"first\":4,\"last\":2}").find("before"),
+              std::string::npos);
+    EXPECT_NE(why("{\"edit\":\"swap\",\"marker\":\"a\",\"other\":\"a\",\"frame\":1}").find("itself"),
+              std::string::npos);
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        (void)read_edits(test::mangled(edits_text(edits), {.seed = seed}), "e");
+    }
+}
+
+}  // namespace
+}  // namespace raks::capture
