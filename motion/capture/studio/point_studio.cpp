@@ -160,6 +160,52 @@ Tracks true_tracks(const StudioMotion& motion,
     return tracks;
 }
 
+// What a person would click: each marker in the first pictures in which two cameras see it, found
+// by a detector or not.
+std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
+                                      const Rig& rig,
+                                      const MarkerSet& markers,
+                                      const StudioTake& take,
+                                      const StudioOptions& options) {
+    Dice dice(options.seed, 1 + rig.cameras.size());
+    std::vector<MarkerLabel> labels;
+    std::vector<bool> is_labelled(markers.markers.size());
+    for (std::size_t k = 0; k < take.truth.frame_count; ++k) {
+        std::vector<FilmedBody> bodies;  // by camera, at the moment of its picture
+        for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+            const double time = take.seen.films[i].pictures[k].time;
+            bodies.push_back(body_at(motion, markers, take.clocks[i].capture_time(time)));
+        }
+        for (std::size_t marker = 0; marker < markers.markers.size(); ++marker) {
+            std::vector<std::size_t> cameras;
+            for (std::size_t i = 0; i < rig.cameras.size() && !is_labelled[marker]; ++i) {
+                if (is_seen(bodies[i], marker, rig.cameras[i])) {
+                    cameras.push_back(i);
+                }
+            }
+            if (cameras.size() < 2) {
+                continue;
+            }
+            is_labelled[marker] = true;
+            for (const std::size_t i : cameras) {
+                const glm::dvec2 noise(dice.normal(options.noise), dice.normal(options.noise));
+                labels.push_back({rig.cameras[i].name,
+                                  k,
+                                  markers.markers[marker].name,
+                                  *project(rig.cameras[i], bodies[i].markers[marker]) + noise});
+            }
+        }
+        if (std::find(is_labelled.begin(), is_labelled.end(), false) == is_labelled.end()) {
+            break;
+        }
+    }
+    // Noise may carry a point at the edge out of the picture.
+    std::erase_if(labels, [&](const MarkerLabel& label) {
+        return !is_in_picture(rig.cameras[*rig.index_of(label.camera)].lens, label.pixel);
+    });
+    return labels;
+}
+
 }  // namespace
 
 std::vector<glm::dvec3> marker_places(const MarkerSet& markers,
@@ -192,17 +238,12 @@ StudioTake film_points(const StudioMotion& motion,
             const FilmedBody body = body_at(motion, markers, take.clocks[i].capture_time(time));
             for (const KnownDetection& known : filming.detections_of(body)) {
                 picture.detections.push_back(known.detection);
-                if (k == 0 && known.marker) {
-                    take.labels.push_back({film.camera,
-                                           0,
-                                           markers.markers[*known.marker].name,
-                                           known.detection.pixel});
-                }
             }
             film.pictures.push_back(std::move(picture));
         }
         take.seen.films.push_back(std::move(film));
     }
+    take.labels = first_labels(motion, rig, markers, take, options);
     return take;
 }
 

@@ -37,7 +37,7 @@ struct StudioOptions {
 /// What was filmed, and the truth about it.
 struct StudioTake {
     Observations seen;
-    std::vector<MarkerLabel> labels;  ///< of all markers seen in each camera's first picture
+    std::vector<MarkerLabel> labels;  ///< each marker where two cameras see it first
     std::vector<Clock> clocks;        ///< the true ones
     Tracks truth;  ///< every marker at the cameras' rate from capture time 0; views: that see it
 };

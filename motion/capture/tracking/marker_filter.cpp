@@ -42,9 +42,7 @@ Matrix6 covariance_of(const MarkerBelief& belief) {
 }
 
 // Rounding makes covariances a little asymmetric, and what is asymmetric grows.
-glm::dmat3 symmetric(const glm::dmat3& matrix) {
-    return 0.5 * (matrix + glm::transpose(matrix));
-}
+glm::dmat3 symmetric(const glm::dmat3& matrix) { return 0.5 * (matrix + glm::transpose(matrix)); }
 
 void set_covariance(MarkerBelief& belief, const Matrix6& covariance) {
     belief.place_covariance = matrix_of(covariance.topLeftCorner<3, 3>());

@@ -34,7 +34,7 @@ struct TrackerOptions {
         first_time;              ///< capture time of frame 0; none: as soon as two cameras see
     double sigma = 1.0;          ///< standard deviation of a detection's coordinates, pixels
     double acceleration = 20.0;  ///< of a marker, m/s^2: how far it may leave its prediction
-    double smoothing = 20.0;     ///< the same when the tracks are smoothed afterwards
+    double smoothing = 12.0;     ///< the same when the tracks are smoothed afterwards
     double height = 0.0;         ///< of the dancer, metres; 0: the mannequin's
 };
 

@@ -152,12 +152,10 @@ TEST(MarkerTracker, a_hidden_stretch_is_filled_and_flagged) {
     const std::size_t head = *scene.markers.index_of("head");
     EXPECT_EQ(stages->smoothed.at(45, head).source, PlaceSource::filled);
     EXPECT_EQ(stages->smoothed.at(39, head).source, PlaceSource::seen);
-    EXPECT_TRUE(std::any_of(stages->smoothed.flags.begin(),
-                            stages->smoothed.flags.end(),
-                            [&](const Flag& flag) {
-                                return flag.doubt == Doubt::filled && flag.marker == head &&
-                                       flag.first == 40;
-                            }));
+    EXPECT_TRUE(std::any_of(
+        stages->smoothed.flags.begin(), stages->smoothed.flags.end(), [&](const Flag& flag) {
+            return flag.doubt == Doubt::filled && flag.marker == head && flag.first == 40;
+        }));
 }
 
 TEST(MarkerTracker, a_swap_exchanges_two_markers_from_there_on) {
@@ -165,7 +163,8 @@ TEST(MarkerTracker, a_swap_exchanges_two_markers_from_there_on) {
     // Both wrists are of one colour. Swapped, they break the body's limits, so that the tracker
     // itself puts them right; without neighbours nothing contradicts.
     const auto plain = scene.track();
-    const auto swapped = scene.track({{EditKind::swap, "left_wrist", "right_wrist", "", 30, 30, {}}});
+    const auto swapped =
+        scene.track({{EditKind::swap, "left_wrist", "right_wrist", "", 30, 30, {}}});
     ASSERT_TRUE(plain && swapped);
     const std::size_t left = *scene.markers.index_of("left_wrist");
     EXPECT_EQ(plain->triangulated.at(29, left).place, swapped->triangulated.at(29, left).place);
@@ -191,9 +190,9 @@ TEST(MarkerTracker, a_person_can_set_a_marker_that_was_lost) {
     const auto stages = scene.track(edits);
     ASSERT_TRUE(stages) << stages.error().message;
     EXPECT_EQ(stages->smoothed.at(20, head).source, PlaceSource::lost);
-    EXPECT_LT(glm::distance(stages->smoothed.at(80, head).place,
-                            scene.take.truth.at(80, head).place),
-              0.03);
+    EXPECT_LT(
+        glm::distance(stages->smoothed.at(80, head).place, scene.take.truth.at(80, head).place),
+        0.03);
 }
 
 TEST(MarkerTracker, says_what_is_missing_or_wrong) {
@@ -229,8 +228,9 @@ TEST(Edits, read_back_and_say_what_is_wrong) {
     EXPECT_NE(why("\n{\"edit\":\"sett\"}").find("line 2"), std::string::npos);
     EXPECT_NE(why("{\"edit\":\"hide\",\"marker\":\"a\",\"first\":4,\"last\":2}").find("before"),
               std::string::npos);
-    EXPECT_NE(why("{\"edit\":\"swap\",\"marker\":\"a\",\"other\":\"a\",\"frame\":1}").find("itself"),
-              std::string::npos);
+    EXPECT_NE(
+        why("{\"edit\":\"swap\",\"marker\":\"a\",\"other\":\"a\",\"frame\":1}").find("itself"),
+        std::string::npos);
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         (void)read_edits(test::mangled(edits_text(edits), {.seed = seed}), "e");
     }
