@@ -72,6 +72,7 @@ void add_training_commands(RaksCommands& table) {
 void add_capture_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {
         {"simulate", "film a known dance with cameras that there are not"},
+        {"sync", "tell the clocks of the films by their sound"},
         {"track", "follow the markers through all films"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");
     add_commands_of(table, *capture, "raks-capture", kCommands);

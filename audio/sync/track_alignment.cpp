@@ -14,6 +14,9 @@
 namespace raks::audio {
 namespace {
 
+constexpr const char* kNothingHeard =
+    "nothing stands out that {} hears too: was there music, and do they overlap in time? Louder "
+    "music, less echo or a longer take help; or set its offset by hand";
 constexpr double kRoughTolerance = 0.003;  // seconds; drift is known to some 50 ppm only
 constexpr double kTolerance = 0.001;       // a strong reflection is further off
 // Coarse alignments with a smaller share of the best one's score are not measured.
@@ -128,9 +131,7 @@ class Alignment {
     [[nodiscard]] Expected<TrackAlignment> run() {
         const auto coarse = plausible(find_coarse_alignments(part_.coarse(), whole_.coarse()));
         if (coarse.empty()) {
-            return refuse(
-                "hears nothing that {} hears too; was there music, and do they "
-                "overlap in time? Otherwise set its offset by hand");
+            return refuse(kNothingHeard);
         }
         WindowPeaks peaks(part_.fine(), whole_.fine());
         std::vector<Measured> all;
@@ -143,6 +144,9 @@ class Alignment {
         all.erase(top);
         // Without the drift that smears them, peaks stand out more.
         const Measured best = measure(peaks, rough.fit.line, kTolerance);
+        if (best.fit.used == 0) {
+            return refuse(kNothingHeard);
+        }
         if (best.fit.used < kLeastWindows) {
             return refuse(
                 fmt::format("a sound that {{}} hears too stands out in only {} of {} "

@@ -10,6 +10,7 @@
 
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/choreography/figure_measures.hpp"
+#include "motion/choreography/joint_limits.hpp"
 #include "motion/skeleton/body_capsules.hpp"
 
 #include <glm/geometric.hpp>

@@ -13,6 +13,7 @@
 
 #include "motion/choreography/figure_check.hpp"
 #include "motion/choreography/figure_measures.hpp"
+#include "motion/choreography/joint_limits.hpp"
 #include "tests/motion/choreography/small_dance.hpp"
 
 #include <glm/geometric.hpp>

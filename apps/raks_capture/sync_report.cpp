@@ -1,0 +1,118 @@
+#include "apps/raks_capture/sync_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/printable.hpp"
+#include "base/toml_reader.hpp"
+
+namespace raks::apps {
+namespace {
+
+// How a camera's clock came about, for people.
+std::string origin_of(const CameraSync& camera) {
+    if (!camera.clock) {
+        return "not known";
+    }
+    if (camera.is_by_hand) {
+        return "set by hand";
+    }
+    if (camera.through.empty()) {
+        return "the capture's clock";
+    }
+    return fmt::format("{} of {} stretches agree with {}",
+                       camera.used,
+                       camera.compared,
+                       printable(camera.through, 60));
+}
+
+nlohmann::json number_or_null(bool is_known, double number) {
+    return is_known ? nlohmann::json(number) : nlohmann::json();
+}
+
+}  // namespace
+
+std::string sync_table(const SyncResult& result, const SyncPlan& plan) {
+    std::size_t width = 6;
+    for (const CameraSync& camera : result.cameras) {
+        width = std::max(width, printable(camera.camera, 40).size());
+    }
+    std::string text = fmt::format(
+        "{:<{}} {:>10} {:>9} {:>10}\n", "camera", width, "offset s", "drift ppm", "confidence");
+    for (const CameraSync& camera : result.cameras) {
+        const std::string name = printable(camera.camera, 40);
+        if (camera.clock) {
+            text += fmt::format("{:<{}} {:>10.4f} {:>9.1f} {:>10.2f}  {}\n",
+                                name,
+                                width,
+                                camera.clock->offset,
+                                camera.clock->drift_ppm,
+                                camera.clock->confidence,
+                                origin_of(camera));
+        } else {
+            text += fmt::format(
+                "{:<{}} {:>10} {:>9} {:>10}  {}\n", name, width, "-", "-", "-", origin_of(camera));
+        }
+    }
+    if (result.song) {
+        const std::string song = printable(plan.music->string(), 200);
+        text += fmt::format(
+            "{} begins at {:.4f} s (confidence {:.2f}). Where the clip begins with the capture:\n"
+            "  raks train figure dance.bvh --music {} --offset {:.4f}\n",
+            song,
+            result.song->line.offset,
+            result.song->confidence,
+            song,
+            result.song->at_start());
+    }
+    return text;
+}
+
+std::string sync_json(const SyncResult& result, const SyncPlan& plan) {
+    nlohmann::json document = {{"format", "raks-sync"}, {"version", 1}};
+    document["cameras"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < result.cameras.size(); ++i) {
+        const CameraSync& camera = result.cameras[i];
+        const bool is_known = camera.clock.has_value();
+        const capture::Clock clock = camera.clock.value_or(capture::Clock{});
+        document["cameras"].push_back(
+            {{"camera", camera.camera},
+             {"file", plan.cameras[i].file.string()},
+             {"offset", number_or_null(is_known, clock.offset)},
+             {"drift_ppm", number_or_null(is_known, clock.drift_ppm)},
+             {"confidence", number_or_null(is_known, clock.confidence)},
+             {"by_hand", camera.is_by_hand},
+             {"through",
+              camera.through.empty() ? nlohmann::json() : nlohmann::json(camera.through)},
+             {"windows_used", camera.used},
+             {"windows", camera.compared},
+             {"disagreement", camera.disagreement}});
+    }
+    document["music"] = nlohmann::json();
+    if (result.song) {
+        document["music"] = {{"file", plan.music->string()},
+                             {"begins", result.song->line.offset},
+                             {"drift_ppm", result.song->line.drift_ppm},
+                             {"confidence", result.song->confidence},
+                             {"offset", result.song->at_start()}};
+    }
+    document["warnings"] = result.warnings;
+    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string music_text(const SongSync& clock, const std::filesystem::path& song) {
+    return fmt::format(
+        "# capture time = begins + (1 + drift_ppm / 1e6) * the song's time, seconds\n"
+        "# offset: seconds of the song at capture time 0, as raks train figure --offset takes it\n"
+        "format = \"raks-music\"\nversion = 1\n"
+        "file = {}\nbegins = {}\ndrift_ppm = {}\nconfidence = {}\noffset = {}\n",
+        toml_quoted(song.string()),
+        clock.line.offset,
+        clock.line.drift_ppm,
+        clock.confidence,
+        clock.at_start());
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,271 @@
+#include "motion/capture/solving/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/printable.hpp"
+#include "motion/capture/solving/frame_fit.hpp"
+#include "motion/capture/solving/planted_soles.hpp"
+#include "motion/capture/solving/size_fit.hpp"
+#include "motion/capture/solving/smoother.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::capture {
+namespace {
+
+using motion::Bone;
+
+constexpr double kLeastHeight = 0.8;     // metres
+constexpr double kMostHeight = 2.5;      // metres
+constexpr double kKnownHeight = 0.015;   // deviation of the logarithm of a height that was told
+constexpr double kUnknownHeight = 0.15;  // and of one that was not
+constexpr double kUsualInSize = 0.3;     // weight: what is usual in each frame is not so on average
+constexpr double kUsualWhenSmooth = 0.05;  // weight: frames around say more of what is not measured
+constexpr std::size_t kSizeFrames = 80;    // from which the body's size is fitted
+// A model never is the body: its error, metres, and how much less a frame says because the next
+// ones repeat its error. Without them lengths that a dance hardly shows stray far from what is
+// usual.
+constexpr double kModelDeviation = 0.01;
+constexpr double kSizeDoubt = 1.5;
+constexpr double kLeastDeviation = 0.002;  // metres: no marker is known better
+constexpr double kFleshDeviation = 0.003;  // metres: markers move on the body
+// Seconds for which the places of a smoothed track err alike: together they count as one.
+constexpr double kAlikeTime = 0.05;
+
+bool is_known(const MarkerPlace& place) {
+    return std::isfinite(place.place.x) && std::isfinite(place.place.y) &&
+           std::isfinite(place.place.z);
+}
+
+/// Deviation that makes each place count for what it adds to those around it.
+double deviation_of(const MarkerPlace& place, double frames_per_second) {
+    const double deviation = std::max(kLeastDeviation, place.deviation);
+    return std::sqrt(std::max(1.0, kAlikeTime * frames_per_second) *
+                     (deviation * deviation + kFleshDeviation * kFleshDeviation));
+}
+
+/// The solver's frames are the tracks', or so many between two of them that there are as many as
+/// were asked for.
+class DanceSolver {
+ public:
+    DanceSolver(const Tracks& tracks, const MarkerSet& markers, const SolveOptions& options)
+        : tracks_(tracks), markers_(markers), options_(options), model_(options.body) {
+        for (const Marker& marker : markers.markers) {
+            bones_.push_back(marker.bone);
+        }
+        asked_rate_ = options.frames_per_second.value_or(tracks.frames_per_second);
+        between_ = static_cast<std::size_t>(
+            std::max(1.0, std::ceil(asked_rate_ / tracks.frames_per_second - 1e-6)));
+        rate_ = tracks.frames_per_second * static_cast<double>(between_);
+    }
+
+    Expected<SolvedDance> solve();
+
+ private:
+    Expected<void> see();
+    void begin_size();
+    void fit_size_to(std::size_t most_frames);
+    void smooth_states(int rounds);
+    void report_markers(SolvedDance& dance) const;
+    [[nodiscard]] FrameContext context() const { return {model_, bones_, shape_, weights_}; }
+    [[nodiscard]] SolvedDance result() const;
+    [[nodiscard]] std::vector<std::size_t> size_frames(std::size_t most) const;
+
+    const Tracks& tracks_;
+    const MarkerSet& markers_;
+    const SolveOptions& options_;
+    BodyModel model_;
+    std::vector<Bone> bones_;   // by marker
+    double asked_rate_ = 60.0;  // of the poses
+    std::size_t between_ = 1;   // solver's frames to one of the tracks
+    double rate_ = 60.0;        // solver's frames a second
+    FrameWeights weights_;
+    SizePrior prior_;
+    BodySize size_;
+    BodyShape shape_;
+    std::vector<FrameSight> sights_;
+    std::vector<BodyState> states_;
+};
+
+Expected<void> DanceSolver::see() {
+    std::vector<std::size_t> indices;  // in the set, by marker of the tracks
+    for (const std::string& name : tracks_.markers) {
+        const auto index = markers_.index_of(name);
+        if (!index) {
+            return fail(fmt::format(
+                "the tracks have a marker \"{}\" that the marker set lacks; name it there",
+                printable(name)));
+        }
+        indices.push_back(*index);
+    }
+    sights_.resize((tracks_.frame_count - 1) * between_ + 1);
+    std::size_t most = 0;
+    for (std::size_t frame = 0; frame < tracks_.frame_count; ++frame) {
+        FrameSight& sight = sights_[frame * between_];
+        std::size_t trunk = 0;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            const MarkerPlace& place = tracks_.at(frame, i);
+            if (is_known(place)) {
+                sight.markers.push_back(
+                    {indices[i], place.place, deviation_of(place, tracks_.frames_per_second)});
+                trunk += is_of_trunk(bones_[indices[i]]) ? 1U : 0U;
+            }
+        }
+        most = std::max(most, trunk);
+    }
+    if (most < 3) {
+        return fail(fmt::format(
+            "no frame shows 3 markers of the trunk at once (at most {}); track them again", most));
+    }
+    return {};
+}
+
+/// Frames with many markers, evenly over the dance.
+std::vector<std::size_t> DanceSolver::size_frames(std::size_t wanted) const {
+    std::size_t most = 0;
+    for (const FrameSight& sight : sights_) {
+        most = std::max(most, sight.markers.size());
+    }
+    std::vector<std::size_t> good;
+    for (std::size_t frame = 0; frame < sights_.size(); ++frame) {
+        if (sights_[frame].markers.size() * 5 >= most * 4) {
+            good.push_back(frame);
+        }
+    }
+    if (good.size() <= wanted) {
+        return good;
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < wanted; ++i) {
+        chosen.push_back(good[i * (good.size() - 1) / (wanted - 1)]);
+    }
+    return chosen;
+}
+
+void DanceSolver::begin_size() {
+    prior_.marker_deviation = options_.marker_deviation;
+    prior_.whole_deviation = options_.height ? kKnownHeight : kUnknownHeight;
+    prior_.whole = options_.height ? *options_.height / kMannequinHeight : 1.0;
+    size_.whole = options_.height ? prior_.whole : guess_size(model_, markers_, sights_);
+    size_.marker_shifts.resize(markers_.markers.size());
+    shape_ = shape_of(size_, markers_);
+}
+
+void DanceSolver::fit_size_to(std::size_t most_frames) {
+    std::vector<FrameSight> sights;
+    std::vector<BodyState> states;
+    for (const std::size_t frame : size_frames(most_frames)) {
+        sights.push_back(sights_[frame]);
+        for (SeenMarker& seen : sights.back().markers) {
+            seen.deviation = kSizeDoubt * std::hypot(seen.deviation, kModelDeviation);
+        }
+        states.push_back(states_[frame]);
+    }
+    FrameWeights weights = weights_;
+    weights.usual = kUsualInSize;
+    size_ = fit_size(model_, markers_, prior_, weights, sights, size_, states);
+    shape_ = shape_of(size_, markers_);
+}
+
+void DanceSolver::smooth_states(int rounds) {
+    FrameContext smoothing = context();
+    smoothing.weights.usual = kUsualWhenSmooth;
+    smooth(smoothing, sights_, {rate_, rounds, options_.smoothness}, states_);
+}
+
+Expected<SolvedDance> DanceSolver::solve() {
+    if (const auto seen = see(); !seen) {
+        return fail(seen.error());
+    }
+    begin_size();
+    weights_.outlier = 0.15;  // before the body's size is known
+    states_ = fit_frames(context(), sights_);
+    fit_size_to(kSizeFrames);
+    weights_.outlier = 0.04;
+    fit_size_to(kSizeFrames);
+    const double height = kMannequinHeight * size_.whole;
+    if (!(height >= kLeastHeight && height <= kMostHeight)) {
+        return fail(fmt::format(
+            "the markers are those of a body of {:.2f} m; are the cameras' places in metres?",
+            height));
+    }
+    smooth_states(4);
+    find_planted(model_, shape_, states_, rate_, sights_);
+    fit_size_to(kSizeFrames);
+    smooth_states(3);
+    find_planted(model_, shape_, states_, rate_, sights_);
+    smooth_states(3);
+    return result();
+}
+
+void DanceSolver::report_markers(SolvedDance& dance) const {
+    std::vector<double> squares(markers_.markers.size());
+    std::vector<double> counts(markers_.markers.size());
+    for (std::size_t frame = 0; frame < sights_.size(); frame += between_) {
+        const PlacedBody body = model_.place(shape_, states_[frame]);
+        for (const SeenMarker& seen : sights_[frame].markers) {
+            const glm::dvec3 difference =
+                body.point(bones_[seen.marker], shape_.marker_places[seen.marker]) - seen.place;
+            squares[seen.marker] += glm::dot(difference, difference);
+            counts[seen.marker] += 1.0;
+        }
+    }
+    for (std::size_t i = 0; i < markers_.markers.size(); ++i) {
+        dance.markers.push_back({markers_.markers[i].name,
+                                 size_.marker_shifts[i],
+                                 counts[i] / static_cast<double>(tracks_.frame_count),
+                                 std::sqrt(squares[i] / std::max(1.0, counts[i]))});
+    }
+}
+
+SolvedDance DanceSolver::result() const {
+    SolvedDance dance;
+    dance.skeleton = skeleton_of(size_);
+    dance.size = size_;
+    dance.frames_per_second = asked_rate_;
+    dance.first_time = tracks_.first_time;
+    const double step = rate_ / asked_rate_;
+    const auto last = static_cast<double>(states_.size() - 1);
+    for (double at = 0.0; at <= last + 1e-9; at = step * static_cast<double>(dance.poses.size())) {
+        const auto before = static_cast<std::size_t>(std::min(at + 1e-9, last));
+        const std::size_t after = std::min(before + 1, states_.size() - 1);
+        const double share = std::clamp(at - static_cast<double>(before), 0.0, 1.0);
+        dance.poses.push_back(
+            model_.pose_of(model_.between(states_[before], states_[after], share)));
+        for (std::size_t side = 0; side < 2; ++side) {
+            const auto& planted = sights_[share < 0.5 ? before : after].planted[side];
+            dance.poses.back().foot_contact[side] =
+                *std::max_element(planted.begin(), planted.end()) > 0.5;
+        }
+    }
+    report_markers(dance);
+    dance.doubts = find_doubts(dance, tracks_, markers_);
+    return dance;
+}
+
+}  // namespace
+
+Expected<SolvedDance> solve(const Tracks& tracks,
+                            const MarkerSet& markers,
+                            const SolveOptions& options) {
+    if (tracks.frame_count < 3 || tracks.markers.size() < 6) {
+        return fail(fmt::format("{} markers over {} frames are no dance; 6 and 3 are needed",
+                                tracks.markers.size(),
+                                tracks.frame_count));
+    }
+    if (options.height && !(*options.height >= kLeastHeight && *options.height <= kMostHeight)) {
+        return fail(fmt::format(
+            "a dancer is {} to {} m tall, not {:.3g}", kLeastHeight, kMostHeight, *options.height));
+    }
+    for (const double rate : {tracks.frames_per_second, options.frames_per_second.value_or(60.0)}) {
+        if (!(rate >= 1.0 && rate <= 1000.0)) {
+            return fail(fmt::format("frames a second are 1 to 1000, not {:.3g}", rate));
+        }
+    }
+    return DanceSolver(tracks, markers, options).solve();
+}
+
+}  // namespace raks::capture
