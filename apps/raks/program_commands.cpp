@@ -71,9 +71,11 @@ void add_training_commands(RaksCommands& table) {
 
 void add_capture_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {
+        {"run", "do every step that is missing or older than what it is made from"},
         {"simulate", "film a known dance with cameras that there are not"},
         {"sync", "tell the clocks of the films by their sound"},
-        {"track", "follow the markers through all films"}};
+        {"track", "follow the markers through all films"},
+        {"report", "show what came of a capture, as a page"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");
     add_commands_of(table, *capture, "raks-capture", kCommands);
 }

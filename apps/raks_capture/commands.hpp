@@ -7,6 +7,13 @@
 /// The commands of the program `raks-capture`, which `raks capture` starts.
 namespace raks::apps {
 
+/// Adds all of them, of which one must be chosen.
+void add_commands(CommandTable& table);
+
+/// Adds `run`.
+void add_run(CommandTable& table);
+/// Adds `report`.
+void add_report(CommandTable& table);
 /// Adds `simulate`.
 void add_simulate(CommandTable& table);
 /// Adds `track`.

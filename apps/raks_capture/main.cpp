@@ -1,17 +1,13 @@
 // The program raks-capture, started by `raks capture`. It is a program of its own since it alone
 // needs OpenCV and Ceres, which the dancing program should not load.
 #include "apps/raks_capture/commands.hpp"
-#include "apps/raks_capture/sync_command.hpp"
 #include "apps/terminal/program.hpp"
 
 int main(int argc, char** argv) {
     using namespace raks::apps;
     CommandTable table("get a dance from several films", "raks capture");
     return run_program([&table, argc, argv]() -> ParsedCommand {
-        table.app().require_subcommand(1);
-        add_simulate(table);
-        add_sync(table, table.app());
-        add_track(table);
+        add_commands(table);
         if (const auto ended = read_usage(table.app(), argc, argv)) {
             return {nullptr, *ended};
         }

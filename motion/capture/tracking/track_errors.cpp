@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "base/printable.hpp"
@@ -24,7 +26,7 @@ bool is_flagged(const Tracks& tracks, std::size_t frame, std::size_t marker) {
 
 }  // namespace
 
-Expected<TrackErrors> track_errors(const Tracks& tracks, const Tracks& truth) {
+Expected<std::vector<double>> distances_from(const Tracks& tracks, const Tracks& truth) {
     std::vector<std::size_t> true_markers;
     for (const std::string& name : tracks.markers) {
         const auto found = std::find(truth.markers.begin(), truth.markers.end(), name);
@@ -33,8 +35,7 @@ Expected<TrackErrors> track_errors(const Tracks& tracks, const Tracks& truth) {
         }
         true_markers.push_back(static_cast<std::size_t>(found - truth.markers.begin()));
     }
-    TrackErrors errors;
-    double sum = 0.0;
+    std::vector<double> distances(tracks.places.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
         const double index = (tracks.time_of(frame) - truth.first_time) * truth.frames_per_second;
         if (!(index > -1e-6 && index < static_cast<double>(truth.frame_count) - 1.0 + 1e-6)) {
@@ -48,14 +49,33 @@ Expected<TrackErrors> track_errors(const Tracks& tracks, const Tracks& truth) {
                                               truth.at(after, true_markers[marker]).place,
                                               part);
             const double off = glm::distance(tracks.at(frame, marker).place, place);
-            ++errors.places;
-            if (off <= kFarOff) {
-                sum += off;
-                continue;
-            }
-            ++errors.wrong;
-            errors.unflagged += is_flagged(tracks, frame, marker) ? 0U : 1U;
+            distances[frame * true_markers.size() + marker] =
+                std::isfinite(off) ? off : std::numeric_limits<double>::infinity();
         }
+    }
+    return distances;
+}
+
+Expected<TrackErrors> track_errors(const Tracks& tracks, const Tracks& truth) {
+    const auto distances = distances_from(tracks, truth);
+    if (!distances) {
+        return fail(distances.error());
+    }
+    TrackErrors errors;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < distances->size(); ++i) {
+        const double off = (*distances)[i];
+        if (std::isnan(off)) {
+            continue;
+        }
+        ++errors.places;
+        if (off <= kFarOff) {
+            sum += off;
+            continue;
+        }
+        ++errors.wrong;
+        const std::size_t count = tracks.markers.size();
+        errors.unflagged += is_flagged(tracks, i / count, i % count) ? 0U : 1U;
     }
     const std::size_t near = errors.places - errors.wrong;
     errors.mean = near > 0 ? sum / static_cast<double>(near) : 0.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "motion/capture/markers/tracks.hpp"
@@ -25,8 +26,14 @@ struct TrackErrors {
     }
 };
 
-/// Compares tracks with the truth, at the moments of the tracks: the truth is interpolated; what
-/// lies outside of it is passed over. Errors: a marker that the truth has not.
+/// How far each place is from the truth, at the moments of the tracks: the truth is interpolated.
+/// Result: frames x markers, row-major, metres; infinite where the marker is lost, NaN at moments
+/// that the truth has not. Errors: a marker that the truth has not.
+[[nodiscard]] Expected<std::vector<double>> distances_from(const Tracks& tracks,
+                                                           const Tracks& truth);
+
+/// Compares tracks with the truth, at the moments of the tracks, as distances_from; what lies
+/// outside of the truth is passed over. Errors: a marker that the truth has not.
 [[nodiscard]] Expected<TrackErrors> track_errors(const Tracks& tracks, const Tracks& truth);
 
 }  // namespace raks::capture

@@ -1,0 +1,111 @@
+#include "apps/raks_capture/capture_steps.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace raks::apps {
+namespace {
+
+using Path = std::filesystem::path;
+using FileTime = std::filesystem::file_time_type;
+
+std::optional<FileTime> time_of_change(const Path& file) {
+    std::error_code problem;
+    const FileTime time = std::filesystem::last_write_time(file, problem);
+    return problem ? std::nullopt : std::optional(time);
+}
+
+// Those films, or calibration films, that the plan names.
+std::vector<Path> films_of(const CapturePlan& plan, Path PlannedCamera::*film) {
+    std::vector<Path> films;
+    for (const PlannedCamera& camera : plan.cameras) {
+        if (!(camera.*film).empty()) {
+            films.push_back(plan.file(camera.*film));
+        }
+    }
+    return films;
+}
+
+std::vector<Path> files_of(const CapturePlan& plan, const std::vector<const char*>& names) {
+    std::vector<Path> files;
+    for (const char* const name : names) {
+        files.push_back(plan.file(name));
+    }
+    return files;
+}
+
+std::vector<Path> joined(std::vector<Path> one, const std::vector<Path>& other) {
+    one.insert(one.end(), other.begin(), other.end());
+    return one;
+}
+
+}  // namespace
+
+std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
+    const std::vector<Path> films = films_of(plan, &PlannedCamera::film);
+    const std::vector<Path> boards = films_of(plan, &PlannedCamera::calibration);
+    std::vector<Path> markers;
+    if (!plan.markers.empty()) {
+        markers.push_back(plan.file(plan.markers));
+    }
+    std::vector<Path> heard = films;
+    std::vector<std::string> song;
+    if (!plan.music.empty()) {
+        heard.push_back(plan.file(plan.music));
+        song = {"--music", plan.file(plan.music).string()};
+    }
+    CaptureStep calibrate{"calibrate",
+                          {},
+                          joined(boards, files_of(plan, {"capture.toml"})),
+                          files_of(plan, {"rig.toml"}),
+                          !boards.empty()};
+    CaptureStep sync{"sync",
+                     std::move(song),
+                     joined(heard, files_of(plan, {"capture.toml"})),
+                     files_of(plan, {"clocks.toml"}),
+                     !films.empty()};
+    const std::vector<Path> followed =
+        files_of(plan, {"capture.toml", "rig.toml", "clocks.toml", "labels.tsv", "edits.jsonl"});
+    const std::vector<Path> seen = films.empty() ? files_of(plan, {"detections.csv"}) : films;
+    CaptureStep track{
+        "track", {}, joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
+    CaptureStep solve{"solve",
+                      {},
+                      joined(files_of(plan, {"capture.toml", "tracks.csv"}), markers),
+                      files_of(plan, {"dance.bvh"})};
+    CaptureStep report{
+        "report",
+        {},
+        files_of(
+            plan,
+            {"rig.toml", "clocks.toml", "tracks.csv", "flags.tsv", "edits.jsonl", "dance.bvh"}),
+        files_of(plan, {"report.html"})};
+    return {std::move(calibrate),
+            std::move(sync),
+            std::move(track),
+            std::move(solve),
+            std::move(report)};
+}
+
+StepState state_of(const CaptureStep& step) {
+    std::optional<FileTime> oldest;
+    for (const Path& output : step.outputs) {
+        const auto time = time_of_change(output);
+        if (!time) {
+            return StepState::missing;
+        }
+        oldest = oldest ? std::min(*oldest, *time) : *time;
+    }
+    if (!step.has_source) {
+        return StepState::given;
+    }
+    const bool is_older =
+        std::any_of(step.inputs.begin(), step.inputs.end(), [&oldest](const Path& input) {
+            const auto time = time_of_change(input);
+            return time && oldest && *oldest < *time;
+        });
+    return is_older ? StepState::outdated : StepState::up_to_date;
+}
+
+}  // namespace raks::apps

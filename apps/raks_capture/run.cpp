@@ -1,0 +1,150 @@
+// `raks capture run`: every step that is missing or older than what it is made from.
+#include "base/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/capture_steps.hpp"
+#include "apps/raks_capture/commands.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/file.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// Arguments of `raks capture run`.
+struct RunArguments {
+    Path folder;
+};
+
+// A step as its command line: parsed and run in this process, so that what it prints, signals and
+// exit codes are those of the command itself.
+ExitCode run_step(const CaptureStep& step, const Path& folder) {
+    CommandTable table("", "raks capture");
+    add_commands(table);
+    // CLI11 takes the words from the last to the first.
+    std::vector<std::string> words = {step.command, folder.string()};
+    words.insert(words.end(), step.arguments.begin(), step.arguments.end());
+    std::reverse(words.begin(), words.end());
+    table.app().parse(std::move(words));
+    return table.chosen()();
+}
+
+bool has_command(const std::string& name) {
+    CommandTable table("", "raks capture");
+    add_commands(table);
+    const auto found = table.app().get_subcommands(
+        [&name](const CLI::App* command) { return command->get_name() == name; });
+    return !found.empty();
+}
+
+const char* words_of(StepState state) {
+    switch (state) {
+        case StepState::missing:
+            return "to be done";
+        case StepState::outdated:
+            return "something that it is made from has changed";
+        case StepState::up_to_date:
+            return "up to date";
+        case StepState::given:
+            return "given; there is nothing to make it from";
+    }
+    return "";
+}
+
+// The second of the song at which the dance begins, by music.toml, which `sync` writes; nothing:
+// no song was found.
+Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+    const Path file = plan.file("music.toml");
+    if (plan.music.empty() || !is_there(file) || !is_there(plan.file("tracks.csv"))) {
+        return std::optional<double>();
+    }
+    const auto text = read_text_file(file, kMostBytes);
+    const auto root = text ? parse_toml(*text, file.string()) : fail(text.error());
+    const auto tracks = load_tracks(plan.folder);
+    if (!root || !tracks) {
+        return fail(root ? tracks.error() : root.error());
+    }
+    const auto offset = (*root)["offset"].value<double>();
+    const double drift = (*root)["drift_ppm"].value_or(0.0);
+    return offset ? std::optional(*offset + tracks->first_time / (1.0 + drift * 1e-6)) : offset;
+}
+
+// A word of a command line that a shell takes as one.
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+./,:@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+        return word;
+    }
+    std::string quoted = "'";
+    for (const char c : word) {
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+Expected<void> say_what_is_next(const CapturePlan& plan) {
+    const auto offset = song_offset(plan);
+    if (!offset) {
+        return fail(offset.error());
+    }
+    std::string line = "raks train figure " + shell_word(plan.file("dance.bvh").string());
+    if (*offset) {
+        line += fmt::format(
+            " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
+    }
+    print_text(line + " -o mine\n");
+    return {};
+}
+
+ExitCode run_capture(const RunArguments& arguments) {
+    const auto plan = load_capture_plan(arguments.folder);
+    if (!plan) {
+        return fail(plan.error());
+    }
+    int exit_code = kExitDone;
+    for (const CaptureStep& step : capture_steps(*plan)) {
+        if (!has_command(step.command)) {
+            continue;
+        }
+        const StepState state = state_of(step);
+        say(fmt::format("{}: {}", step.command, words_of(state)));
+        if (state == StepState::up_to_date || state == StepState::given) {
+            continue;
+        }
+        const ExitCode ended = run_step(step, plan->folder);
+        if (!ended || stop_signal()) {
+            return ended ? ExitCode(exit_code_after_signals(*ended)) : ended;
+        }
+        if (*ended != kExitDone && *ended != kExitPartly) {
+            return ended;
+        }
+        exit_code = std::max(exit_code, *ended);
+    }
+    if (is_there(plan->file("dance.bvh"))) {
+        if (auto said = say_what_is_next(*plan); !said) {
+            return fail(std::move(said.error()));
+        }
+    }
+    return exit_code;
+}
+
+}  // namespace
+
+void add_run(CommandTable& table) {
+    const auto [app, arguments] =
+        table.add<RunArguments>(table.app(),
+                                "run",
+                                "do every step that is missing or older than what it is made from",
+                                &run_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+}
+
+}  // namespace raks::apps
