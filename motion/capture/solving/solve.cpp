@@ -32,19 +32,47 @@ constexpr double kModelDeviation = 0.01;
 constexpr double kSizeDoubt = 1.5;
 constexpr double kLeastDeviation = 0.002;  // metres: no marker is known better
 constexpr double kFleshDeviation = 0.003;  // metres: markers move on the body
-// Seconds for which the places of a smoothed track err alike: together they count as one.
-constexpr double kAlikeTime = 0.05;
+// Weights of the places and of the motion's accelerations in balance: at 60 raw places a second the
+// solved dance has the jerk of the true one.
+constexpr double kPlaceDoubt = 3.0;
+// Tracks that were smoothed before are smoothed no more than by this share again.
+constexpr double kLeastSmoothness = 0.2;
 
 bool is_known(const MarkerPlace& place) {
     return std::isfinite(place.place.x) && std::isfinite(place.place.y) &&
            std::isfinite(place.place.z);
 }
 
-/// Deviation that makes each place count for what it adds to those around it.
-double deviation_of(const MarkerPlace& place, double frames_per_second) {
+double deviation_of(const MarkerPlace& place) {
     const double deviation = std::max(kLeastDeviation, place.deviation);
-    return std::sqrt(std::max(1.0, kAlikeTime * frames_per_second) *
-                     (deviation * deviation + kFleshDeviation * kFleshDeviation));
+    return std::sqrt(kPlaceDoubt * (deviation * deviation + kFleshDeviation * kFleshDeviation));
+}
+
+/// Trembling of the tracks from frame to frame / that of independent errors of their deviations: 1
+/// for raw places, much less where they are smoothed. By the third difference, in which the dance
+/// itself hardly shows.
+double roughness(const Tracks& tracks) {
+    std::vector<double> ratios;
+    const auto squared = [](const glm::dvec3& v) { return glm::dot(v, v); };
+    for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+        for (std::size_t frame = 3; frame < tracks.frame_count; ++frame) {
+            const glm::dvec3 third =
+                tracks.at(frame, marker).place - 3.0 * tracks.at(frame - 1, marker).place +
+                3.0 * tracks.at(frame - 2, marker).place - tracks.at(frame - 3, marker).place;
+            const double deviation = std::max(kLeastDeviation, tracks.at(frame, marker).deviation);
+            // Of independent errors: (1 + 9 + 9 + 1) variances along each of three axes.
+            const double ratio = squared(third) / (60.0 * deviation * deviation);
+            if (std::isfinite(ratio)) {
+                ratios.push_back(ratio);
+            }
+        }
+    }
+    if (ratios.empty()) {
+        return 1.0;
+    }
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return std::sqrt(*middle);
 }
 
 /// The solver's frames are the tracks', or so many between two of them that there are as many as
@@ -109,8 +137,7 @@ Expected<void> DanceSolver::see() {
         for (std::size_t i = 0; i < indices.size(); ++i) {
             const MarkerPlace& place = tracks_.at(frame, i);
             if (is_known(place)) {
-                sight.markers.push_back(
-                    {indices[i], place.place, deviation_of(place, tracks_.frames_per_second)});
+                sight.markers.push_back({indices[i], place.place, deviation_of(place)});
                 trunk += is_of_trunk(bones_[indices[i]]) ? 1U : 0U;
             }
         }
@@ -173,7 +200,9 @@ void DanceSolver::fit_size_to(std::size_t most_frames) {
 void DanceSolver::smooth_states(int rounds) {
     FrameContext smoothing = context();
     smoothing.weights.usual = kUsualWhenSmooth;
-    smooth(smoothing, sights_, {rate_, rounds, options_.smoothness}, states_);
+    const double smoothness =
+        options_.smoothness * std::clamp(roughness(tracks_), kLeastSmoothness, 1.0);
+    smooth(smoothing, sights_, {rate_, rounds, smoothness}, states_);
 }
 
 Expected<SolvedDance> DanceSolver::solve() {
