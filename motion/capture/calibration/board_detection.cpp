@@ -11,6 +11,8 @@
 #include "motion/capture/calibration/charuco_board.hpp"
 #include "motion/capture/calibration/one_thread.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::capture {
 
 namespace {
@@ -45,21 +47,19 @@ bool is_sound(const GreyPicture& picture) noexcept {
                static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-// Distance of the nearest two neighbours along the rows and columns of the board, in pixels; none
-// that are neighbours: infinite.
-double smallest_square(const Board& board, const std::vector<BoardCorner>& corners) {
+// The shortest edge between neighbours, in pixels; where none are: infinite.
+double shortest_edge(const Board& board, const std::vector<BoardCorner>& corners) {
     std::vector<const BoardCorner*> at(corner_count(board), nullptr);
     for (const BoardCorner& corner : corners) {
         at[corner.corner] = &corner;
     }
-    double smallest = std::numeric_limits<double>::infinity();
+    double shortest = std::numeric_limits<double>::infinity();
     for (const auto& [from, to] : board_edges(board)) {
         if (at[from] != nullptr && at[to] != nullptr) {
-            const glm::dvec2 edge = at[to]->pixel - at[from]->pixel;
-            smallest = std::min(smallest, std::hypot(edge.x, edge.y));
+            shortest = std::min(shortest, glm::distance(at[from]->pixel, at[to]->pixel));
         }
     }
-    return smallest;
+    return shortest;
 }
 
 std::vector<cv::Point2f> pixels_of(const std::vector<BoardCorner>& corners) {
@@ -70,28 +70,37 @@ std::vector<cv::Point2f> pixels_of(const std::vector<BoardCorner>& corners) {
     return pixels;
 }
 
+// Half the side of the window in which corners are refined, for a shortest edge so long; pixels.
+int window_side(const Board& board, double edge) {
+    constexpr double kSmallestWindow = 2.0;
+    constexpr double kLargestWindow = 11.0;
+    // Of a tilted square the sides are nearer than its corners: on OpenCV's 26 pictures the
+    // reprojection is 0.18 px with a third of the edge, 0.28 with 0.4, 0.40 with a half.
+    double share = 1.0 / 3.0;
+    if (board.kind == BoardKind::charuco) {
+        // A marker within the window draws the corner: with OpenCV's own windows by up to 0.9 px in
+        // sharp pictures, with its margin by 0.2. (In blurred ones the larger window is better.)
+        share = std::min(share, 0.5 * (board.square - board.marker) / board.square);
+    }
+    return static_cast<int>(std::clamp(share * edge, kSmallestWindow, kLargestWindow));
+}
+
 void refine(const cv::Mat& picture,
             const Board& board,
             CornerWindow window,
             std::vector<BoardCorner>& corners) {
-    constexpr int kClassicSide = 11;  // of half a window
-    constexpr int kSmallestSide = 2;
-    constexpr int kRounds = 60;
-    int side = kClassicSide;
-    cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.1);
-    if (window == CornerWindow::adaptive) {
-        // Of a tilted square the sides are nearer than its corners. Measured on OpenCV's 26
-        // pictures: 0.18 px with a third of the smallest square, 0.28 with 0.4, 0.40 with a half.
-        constexpr double kOfSquare = 1.0 / 3.0;
-        const double half = kOfSquare * smallest_square(board, corners);
-        side = std::clamp(
-            static_cast<int>(std::ceil(std::min(half, 100.0))) - 1, kSmallestSide, kClassicSide);
-        stop = cv::TermCriteria(stop.type, kRounds, 0.01);
-    }
-    // The window must fit into the picture.
-    if (picture.cols < 2 * side + 5 || picture.rows < 2 * side + 5) {
+    constexpr int kClassicSide = 11;
+    const bool is_classic = window == CornerWindow::classic;
+    const double edge = shortest_edge(board, corners);
+    const int side = is_classic ? kClassicSide : window_side(board, edge);
+    // The window must fit into the picture; corners without neighbours have no measure for it.
+    if (corners.empty() || !std::isfinite(edge) || picture.cols < 2 * side + 5 ||
+        picture.rows < 2 * side + 5) {
         return;
     }
+    const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS,
+                                is_classic ? 30 : 60,
+                                is_classic ? 0.1 : 0.01);
     std::vector<cv::Point2f> pixels = pixels_of(corners);
     cv::cornerSubPix(picture, pixels, cv::Size(side, side), cv::Size(-1, -1), stop);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -101,14 +110,14 @@ void refine(const cv::Mat& picture,
 
 // Drops corners that are off the plane of most by more than a lens bends it.
 void drop_strays(const Board& board, std::vector<BoardCorner>& corners) {
-    if (corners.size() < kFewestBoardCorners) {
-        corners.clear();
-        return;
+    if (corners.size() <= kFewestBoardCorners) {
+        return;  // nothing to compare them with
     }
     constexpr double kOfSquare = 0.2;
     constexpr double kLeast = 2.0;  // pixels
-    const double square = smallest_square(board, corners);
-    const double allowed = std::isfinite(square) ? std::max(kLeast, kOfSquare * square) : kLeast;
+    const double shortest = shortest_edge(board, corners);
+    const double allowed =
+        std::isfinite(shortest) ? std::max(kLeast, kOfSquare * shortest) : kLeast;
     std::vector<cv::Point2f> places;
     for (const BoardCorner& corner : corners) {
         const glm::dvec2 place = corner_place(board, corner.corner) / board.square;
@@ -116,13 +125,16 @@ void drop_strays(const Board& board, std::vector<BoardCorner>& corners) {
     }
     std::vector<unsigned char> fits;
     const cv::Mat plane = cv::findHomography(places, pixels_of(corners), cv::RANSAC, allowed, fits);
+    if (plane.empty()) {
+        return;  // all in one row
+    }
     std::vector<BoardCorner> kept;
-    for (std::size_t i = 0; i < corners.size() && i < fits.size() && !plane.empty(); ++i) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
         if (fits[i] != 0) {
             kept.push_back(corners[i]);
         }
     }
-    corners = kept.size() < kFewestBoardCorners ? std::vector<BoardCorner>() : std::move(kept);
+    corners = std::move(kept);
 }
 
 // Corners between markers.
@@ -267,8 +279,7 @@ std::string_view guess_dictionary(const GreyPicture& picture) {
     std::size_t most = kFewestMarkers - 1;
     const std::vector<std::string_view> names = dictionary_names();
     for (std::size_t i = 0; i < names.size(); ++i) {
-        for (const Look& look :
-             {Look{false, false}, Look{true, false}, Look{false, true}, Look{true, true}}) {
+        for (const Look& look : {Look{false, false}, Look{false, true}}) {
             std::vector<std::vector<cv::Point2f>> markers;
             std::vector<int> ids;
             cv::aruco::detectMarkers(matrix_of(picture, look),

@@ -32,18 +32,18 @@ inline constexpr std::size_t kFewestBoardCorners = 4;
 
 /// What was found of a board in one picture.
 struct BoardView {
-    std::vector<BoardCorner> corners;  ///< in no order; few: there is no board
+    std::vector<BoardCorner> corners;  ///< in no order
     bool is_mirrored = false;          ///< seen from behind; the pixels are those of the picture
     bool is_inverted = false;          ///< its black is white, or else than the board says
     std::size_t foreign_markers = 0;   ///< of its dictionary, but not of this board
 
-    /// Whether there is a board.
-    [[nodiscard]] bool is_found() const noexcept { return corners.size() >= kFewestBoardCorners; }
+    /// Whether any corner was found. Fewer than kFewestBoardCorners may be there by chance.
+    [[nodiscard]] bool is_found() const noexcept { return !corners.empty(); }
 };
 
 /// How corners are refined to a fraction of a pixel.
 enum class CornerWindow : std::uint8_t {
-    adaptive,  ///< a third of the smallest square, down to steps of 0.01 px: the default
+    adaptive,  ///< within the squares and clear of markers, down to 0.01 px: the default
     classic    ///< 11 px to each side, down to 0.1 px, as OpenCV's sample: spans small squares
 };
 
@@ -57,7 +57,7 @@ enum class CornerWindow : std::uint8_t {
                                    CornerWindow window = CornerWindow::adaptive);
 
 /// The dictionary that most of a picture's markers are of, by its name; empty: there are fewer than
-/// four. For a message to who named the wrong one. Takes a second.
+/// four, or it is seen from behind. For a message to who named the wrong one. Takes a second.
 [[nodiscard]] std::string_view guess_dictionary(const GreyPicture& picture);
 
 }  // namespace raks::capture
