@@ -155,9 +155,12 @@ FrameView frame_view(const Scene& scene,
     const float width = static_cast<float>(target.width);
     const float height = static_cast<float>(target.height);
     const LightDirections lights = light_directions(scene.camera);
-    const glm::mat4 clip_from_view = scene.camera.clip_from_view(width / height);
-    u.clip_from_world = clip_from_view * scene.camera.view_from_world();
-    u.eye = {scene.camera.position(), 1.0F};
+    const PlacedCamera eye =
+        scene.placed.value_or(PlacedCamera{scene.camera.view_from_world(),
+                                           scene.camera.clip_from_view(width / height),
+                                           scene.camera.position()});
+    u.clip_from_world = eye.clip_from_view * eye.view_from_world;
+    u.eye = {eye.position, 1.0F};
     set_lights(u, scene, lights);
     set_stage(u, scene);
     set_blobs(view, dancers, scales, lights.key);
@@ -166,7 +169,7 @@ FrameView frame_view(const Scene& scene,
     u.tone = {scene.theme->exposure,
               scene.backdrop == Backdrop::stage ? 1.0F : 0.0F,
               dither_phase(target),
-              mask_pixels(clip_from_view, height)};
+              mask_pixels(eye.clip_from_view, height)};
     u.counts.y = scene.theme->has_tone_curve ? 0.0F : 1.0F;
     return view;
 }

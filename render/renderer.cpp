@@ -20,6 +20,7 @@
 #include "render/frame_uniforms.hpp"
 #include "render/gl/objects.hpp"
 #include "render/gl/shadow_map.hpp"
+#include "render/sphere_painter.hpp"
 #include "render/stage_painter.hpp"
 #include "render/surface_upload.hpp"
 
@@ -149,6 +150,7 @@ struct Renderer::Parts {
     BodyPrograms body_programs;
     SurfacePrograms surface_programs;
     StagePainter stage;
+    std::optional<SpherePainter> spheres;     // prepare_spheres()
     std::optional<gl::ShadowMap> shadow_map;  // Quality::high
     gl::Buffer frame;
     gl::Buffer blobs;
@@ -219,6 +221,9 @@ void Renderer::Parts::draw(const Scene& scene,
     for (std::size_t i = 0; i < dancers.size(); ++i) {
         wear(i);
         draw_body(scene, dancers[i]);
+    }
+    if (spheres && !scene.spheres.empty()) {
+        spheres->draw(scene.spheres);
     }
     draw_stage(scene);
     glEnable(GL_CULL_FACE);
@@ -310,6 +315,7 @@ Expected<Renderer> Renderer::create(const RendererConfig& config) {
                                                      std::move(*programs),
                                                      SurfacePrograms(quality),
                                                      std::move(*stage),
+                                                     {},
                                                      std::move(shadow_map),
                                                      {},
                                                      {},
@@ -458,6 +464,15 @@ void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTar
         frame_view(as_sticks, std::span(&figure.landmarks, 1), std::span(&kOwnSize, 1), target),
         std::span(&dancer, 1),
         target);
+}
+
+Expected<void> Renderer::prepare_spheres() {
+    Expected<SpherePainter> made = SpherePainter::create();
+    if (!made) {
+        return fail(std::move(made.error()));
+    }
+    parts_->spheres = std::move(*made);
+    return {};
 }
 
 Quality Renderer::quality() const noexcept { return parts_->quality; }

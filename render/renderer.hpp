@@ -96,6 +96,9 @@ class Renderer {
     /// view is. (Takes the figure into the driver's memory: 1 ms for 60 joints on llvmpipe.)
     void draw(const Scene& scene, const ClipFigure& figure, const FrameTarget& target);
 
+    /// From here on the spheres of a scene are drawn. Errors: a shader that the driver refuses.
+    [[nodiscard]] Expected<void> prepare_spheres();
+
     /// Quality::fast or Quality::high: what `automatic` became.
     [[nodiscard]] Quality quality() const noexcept;
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "base/beat_grid.hpp"
 #include "base/time.hpp"
 #include "render/scene/camera.hpp"
 #include "render/scene/light_show.hpp"
+#include "render/scene/placed_camera.hpp"
 #include "render/scene/theme.hpp"
 
 namespace raks::render {
@@ -35,6 +38,13 @@ enum class View { skin, stick };
 /// shadow and the rings stay) for laying the picture over others.
 enum class Backdrop { stage, transparent };
 
+/// A matt sphere that stands in the world.
+struct LitSphere {
+    glm::vec3 centre{};      ///< metres
+    float radius = 0.02F;    ///< metres
+    glm::vec3 colour{1.0F};  ///< what it throws back; linear
+};
+
 /// Everything to draw besides the pose. A value; cheap to copy.
 ///
 ///     Scene scene;
@@ -46,6 +56,10 @@ struct Scene {
     View view = View::skin;
     /// Where the picture is seen from.
     Camera camera;
+    /// From where it is seen instead, where there is one; the lights stay those of `camera`.
+    std::optional<PlacedCamera> placed{};
+    /// Drawn beside the dancers, once the renderer is prepared for them.
+    std::vector<LitSphere> spheres{};
     const Theme* theme = &default_theme();  ///< never null
     /// What painted bodies wear.
     Dress dress = Dress::dancer;

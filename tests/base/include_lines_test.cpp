@@ -156,6 +156,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"apps/raks_capture",
      {"base",
       "audio/io",
+      "audio/music/damage",
       "audio/sync",
       "motion/skeleton",
       "motion/skeleton/body",

@@ -125,12 +125,12 @@ struct Moments {
     double xy = 0.0;
     double yy = 0.0;
 
-    void add(const glm::dvec2& value) {
-        count += 1.0;
-        sum += value;
-        xx += value.x * value.x;
-        xy += value.x * value.y;
-        yy += value.y * value.y;
+    void add(const glm::dvec2& value, double weight) {
+        count += weight;
+        sum += weight * value;
+        xx += weight * value.x * value.x;
+        xy += weight * value.x * value.y;
+        yy += weight * value.y * value.y;
     }
 };
 
@@ -159,9 +159,11 @@ Expected<ColourModel> learn_colour(std::span<const PictureView> pictures,
             return fail(region.error());
         }
         area += static_cast<double>(region->pixels.size());
+        // Each region counts alike: near markers are not to drown those far away.
+        const double weight = 1.0 / static_cast<double>(region->pixels.size());
         for (const glm::ivec2& pixel : region->pixels) {
             if (const auto chroma = chroma_of(picture.at(pixel.x, pixel.y), form)) {
-                moments.add(*chroma);
+                moments.add(*chroma, weight);
             }
         }
     }

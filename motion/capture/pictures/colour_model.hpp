@@ -43,8 +43,8 @@ struct ColourPoint {
 };
 
 /// Learns a colour from points, each in one of `pictures`. A region of one normalised chroma is
-/// grown around each; the Gaussian is over the pixels of all regions, with 1 grey level^2 added to
-/// both variances, without which a flat marker's would be singular.
+/// grown around each; the Gaussian is over the pixels of all regions, each of which counts alike,
+/// with 1 grey level^2 added to both variances, without which a flat marker's would be singular.
 /// Errors, one line with the point: outside of its picture; too dark or burnt out there; fewer than
 /// 6 pixels of one colour around it; hardly a colour; a region of more than 64 pixels across, as
 /// of a wall or a dress.

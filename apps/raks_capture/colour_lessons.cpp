@@ -1,0 +1,206 @@
+#include "apps/raks_capture/colour_lessons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "engine/films/film_reader.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::apps {
+namespace {
+
+constexpr double kLeastSeparation = 6.0;  // standard deviations between two colours
+// Between labels of one colour, of normalised chroma: at least, and of its distance from grey.
+constexpr double kSameColour = 8.0;
+constexpr double kSameColourShare = 0.3;
+
+// The labels of one camera, by the picture in which they are.
+using Lessons = std::map<std::size_t, std::vector<const capture::MarkerLabel*>>;
+
+capture::PictureView view_of(const engine::FilmPicture& picture) {
+    return {picture.width, picture.height, picture.rgb};
+}
+
+// The labelled pictures of a film, in the order of `lessons`.
+Expected<std::vector<engine::FilmPicture>> labelled_pictures(const CameraFilm& film,
+                                                             const Lessons& lessons,
+                                                             const DetectionOptions& options) {
+    const auto reader =
+        engine::FilmReader::open(film.path,
+                                 {.folder_pictures_per_second = options.folder_pictures_per_second,
+                                  .is_stop_requested = options.is_stop_requested});
+    if (!reader) {
+        return fail(reader.error());
+    }
+    std::vector<engine::FilmPicture> pictures;
+    const std::size_t last = lessons.rbegin()->first;
+    for (std::size_t number = 0; number <= last; ++number) {
+        auto picture = (*reader)->next();
+        if (!picture) {
+            return fail(picture.error());
+        }
+        if (!*picture) {
+            return fail(fmt::format("{}: the label of {} is in picture {}, but the film has {}",
+                                    film.path.string(),
+                                    lessons.rbegin()->second.front()->marker,
+                                    last,
+                                    number));
+        }
+        if (lessons.contains(number)) {
+            pictures.push_back(std::move(**picture));
+        }
+    }
+    return pictures;
+}
+
+// A label of a colour, and what is learnt from it alone.
+struct Lesson {
+    const capture::MarkerLabel* label;
+    capture::ColourPoint point;
+    glm::dvec2 chroma{};
+};
+
+// The labels that agree with the most others: the rest lie beside their markers, on skin or cloth.
+// Of equals the more saturated colour counts.
+std::vector<capture::ColourPoint> agreed_points(const std::vector<Lesson>& lessons,
+                                                std::vector<std::string>& doubts) {
+    const Lesson* best = nullptr;
+    std::size_t most = 0;
+    const auto is_near = [](const Lesson& a, const Lesson& b) {
+        const double length = std::max(glm::length(a.chroma), glm::length(b.chroma));
+        return glm::distance(a.chroma, b.chroma) < std::max(kSameColour, kSameColourShare * length);
+    };
+    for (const Lesson& lesson : lessons) {
+        const auto count = static_cast<std::size_t>(
+            std::count_if(lessons.begin(), lessons.end(), [&](const Lesson& other) {
+                return is_near(lesson, other);
+            }));
+        const bool is_richer =
+            best != nullptr && glm::length(lesson.chroma) > glm::length(best->chroma);
+        if (count > most || (count == most && is_richer)) {
+            most = count;
+            best = &lesson;
+        }
+    }
+    std::vector<capture::ColourPoint> points;
+    for (const Lesson& lesson : lessons) {
+        if (is_near(lesson, *best)) {
+            points.push_back(lesson.point);
+        } else {
+            doubts.push_back("camera " + lesson.label->camera + ": the label of " +
+                             lesson.label->marker +
+                             " shows another colour than others of its colour; it is left out");
+        }
+    }
+    return points;
+}
+
+// Learns one colour of one camera. Errors: no label shows it.
+Expected<capture::ColourModel> learn_from(
+    std::span<const capture::PictureView> views,
+    const std::vector<std::pair<const capture::MarkerLabel*, capture::ColourPoint>>& labels,
+    capture::ChromaForm form,
+    std::vector<std::string>& doubts) {
+    std::vector<Lesson> lessons;
+    std::vector<std::string> faults;
+    for (const auto& [label, point] : labels) {
+        const auto alone =
+            capture::learn_colour(views, std::span(&point, 1), capture::ChromaForm::normalised);
+        if (alone) {
+            lessons.push_back({label, point, alone->mean});
+        } else {
+            faults.push_back("camera " + label->camera + ": " + label->marker + ": " +
+                             alone.error().message);
+        }
+    }
+    if (lessons.empty()) {
+        return fail(faults.front());
+    }
+    for (std::string& fault : faults) {
+        doubts.push_back(std::move(fault) + "; this label is left out");
+    }
+    return capture::learn_colour(views, agreed_points(lessons, doubts), form);
+}
+
+void tell_likeness(const std::string& camera,
+                   const LearntColours& learnt,
+                   const std::vector<std::string>& names,
+                   std::vector<std::string>& doubts) {
+    for (std::size_t a = 0; a < learnt.models.size(); ++a) {
+        for (std::size_t b = a + 1; b < learnt.models.size(); ++b) {
+            const double apart = capture::separation(learnt.models[a], learnt.models[b]);
+            if (apart < kLeastSeparation) {
+                doubts.push_back(fmt::format(
+                    "camera {}: {} and {} look alike ({:.1f} standard deviations apart, should be "
+                    "{:.0f}); use another colour, or more light",
+                    camera,
+                    names[learnt.colours[a]],
+                    names[learnt.colours[b]],
+                    apart,
+                    kLeastSeparation));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Expected<LearntColours> learn_colours(const CameraFilm& film,
+                                      const capture::MarkerSet& markers,
+                                      std::span<const capture::MarkerLabel> labels,
+                                      const DetectionOptions& options,
+                                      std::vector<std::string>& doubts) {
+    Lessons lessons;
+    for (const capture::MarkerLabel& label : labels) {
+        if (label.camera == film.camera) {
+            lessons[label.picture].push_back(&label);
+        }
+    }
+    if (lessons.empty()) {
+        return fail("camera " + film.camera +
+                    ": has no label; click its markers (raks capture label)");
+    }
+    const auto pictures = labelled_pictures(film, lessons, options);
+    if (!pictures) {
+        return fail(pictures.error());
+    }
+    std::vector<capture::PictureView> views;
+    for (const engine::FilmPicture& picture : *pictures) {
+        views.push_back(view_of(picture));
+    }
+    const std::vector<std::string> names = markers.colours();
+    const std::vector<std::size_t> classes = markers.classes();
+    std::vector<std::vector<std::pair<const capture::MarkerLabel*, capture::ColourPoint>>> taught(
+        names.size());
+    std::size_t view = 0;
+    for (const auto& [number, in_picture] : lessons) {
+        for (const capture::MarkerLabel* const label : in_picture) {
+            // That the marker is known was checked before.
+            taught[classes[*markers.index_of(label->marker)]].push_back(
+                {label, {view, label->pixel}});
+        }
+        ++view;
+    }
+    LearntColours learnt;
+    for (std::size_t colour = 0; colour < names.size(); ++colour) {
+        if (taught[colour].empty()) {
+            doubts.push_back("camera " + film.camera + ": no marker in " + names[colour] +
+                             " has a label; they are not looked for");
+            continue;
+        }
+        auto model = learn_from(views, taught[colour], options.form, doubts);
+        if (!model) {
+            return fail(model.error());
+        }
+        learnt.models.push_back(*model);
+        learnt.colours.push_back(colour);
+    }
+    tell_likeness(film.camera, learnt, names, doubts);
+    return learnt;
+}
+
+}  // namespace raks::apps

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/capture/markers/labels.hpp"
+#include "motion/capture/markers/marker_set.hpp"
+#include "motion/capture/markers/observations.hpp"
+#include "motion/capture/pictures/chroma.hpp"
+
+namespace raks::apps {
+
+/// The film of one camera.
+struct CameraFilm {
+    std::string camera;          ///< its name in the rig
+    std::filesystem::path path;  ///< a film, or a folder of numbered pictures
+};
+
+/// How markers are looked for.
+struct DetectionOptions {
+    capture::ChromaForm form = capture::ChromaForm::normalised;
+    double folder_pictures_per_second = 30.0;  ///< of folders of pictures; > 0
+    /// Told from time to time: camera (its index), pictures done, pictures in all as the film
+    /// claims (0: unknown).
+    std::function<void(std::size_t camera, std::size_t done, std::size_t all)> tell_progress =
+        [](std::size_t, std::size_t, std::size_t) {};
+    /// Asked before each picture; true ends the work with an error.
+    std::function<bool()> is_stop_requested = [] { return false; };
+};
+
+/// What was found in the films, and what is doubtful about it.
+struct FilmDetections {
+    capture::Observations seen;       ///< as detections.csv has it; colours as of the marker set
+    std::vector<std::string> doubts;  ///< one line each: films cut off, colours without a label or
+                                      ///< too much alike, colours that were hardly ever seen
+};
+
+/// Finds the markers in every picture of every film (`raks capture track`): the colours are learnt,
+/// for each camera by itself, from the labels of its film; then the whole of each picture is
+/// searched. Means follow slow changes of the light. One film after the other, so that the same
+/// films give the same bits; each is decoded in a process beside this one.
+/// Labels that lie beside their marker are left out, with a doubt, where another shows its colour.
+/// Errors, one line: no film; a film that cannot be read; a label of an unknown camera or marker,
+/// or behind the film's end; a colour of which no label shows it; a camera without any label.
+[[nodiscard]] Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,
+                                                       const capture::MarkerSet& markers,
+                                                       std::span<const capture::MarkerLabel> labels,
+                                                       const DetectionOptions& options = {});
+
+}  // namespace raks::apps
