@@ -14,9 +14,9 @@ namespace raks::apps {
 namespace {
 
 constexpr double kLeastSeparation = 6.0;  // standard deviations between two colours
-// Between labels of one colour, of normalised chroma: at least, and of its distance from grey.
-constexpr double kSameColour = 8.0;
-constexpr double kSameColourShare = 0.3;
+constexpr double kSameHue = 0.9;          // cosine between the chroma of two labels of a colour
+// Of the richest label's distance from grey, that others of its colour differ at most.
+constexpr double kSameColour = 0.3;
 
 // The labels of one camera, by the picture in which they are.
 using Lessons = std::map<std::size_t, std::vector<const capture::MarkerLabel*>>;
@@ -64,31 +64,32 @@ struct Lesson {
     glm::dvec2 chroma{};
 };
 
-// The labels that agree with the most others: the rest lie beside their markers, on skin or cloth.
-// Of equals the more saturated colour counts.
+bool has_hue_of(const Lesson& a, const Lesson& b) {
+    return glm::dot(a.chroma, b.chroma) > kSameHue * glm::length(a.chroma) * glm::length(b.chroma);
+}
+
+// The label of the hue that most labels have, and of these the most coloured: those of markers that
+// are half hidden are paler, as skin and cloth mix into them.
+const Lesson& clearest(const std::vector<Lesson>& lessons) {
+    const auto rank = [&lessons](const Lesson& lesson) {
+        const auto count =
+            std::count_if(lessons.begin(), lessons.end(), [&lesson](const Lesson& other) {
+                return has_hue_of(lesson, other);
+            });
+        return std::pair(count, glm::length(lesson.chroma));
+    };
+    return *std::max_element(lessons.begin(), lessons.end(), [&rank](const auto& a, const auto& b) {
+        return rank(a) < rank(b);
+    });
+}
+
+// The labels that show what the clearest does: the rest lie beside their markers.
 std::vector<capture::ColourPoint> agreed_points(const std::vector<Lesson>& lessons,
                                                 std::vector<std::string>& doubts) {
-    const Lesson* best = nullptr;
-    std::size_t most = 0;
-    const auto is_near = [](const Lesson& a, const Lesson& b) {
-        const double length = std::max(glm::length(a.chroma), glm::length(b.chroma));
-        return glm::distance(a.chroma, b.chroma) < std::max(kSameColour, kSameColourShare * length);
-    };
-    for (const Lesson& lesson : lessons) {
-        const auto count = static_cast<std::size_t>(
-            std::count_if(lessons.begin(), lessons.end(), [&](const Lesson& other) {
-                return is_near(lesson, other);
-            }));
-        const bool is_richer =
-            best != nullptr && glm::length(lesson.chroma) > glm::length(best->chroma);
-        if (count > most || (count == most && is_richer)) {
-            most = count;
-            best = &lesson;
-        }
-    }
+    const Lesson& best = clearest(lessons);
     std::vector<capture::ColourPoint> points;
     for (const Lesson& lesson : lessons) {
-        if (is_near(lesson, *best)) {
+        if (glm::distance(lesson.chroma, best.chroma) <= kSameColour * glm::length(best.chroma)) {
             points.push_back(lesson.point);
         } else {
             doubts.push_back("camera " + lesson.label->camera + ": the label of " +

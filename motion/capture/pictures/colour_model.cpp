@@ -15,11 +15,17 @@ namespace {
 constexpr int kHalfWindow = 48;          // pixels around a point in which its region is grown
 constexpr int kWidestRegion = 64;        // pixels
 constexpr std::size_t kLeastRegion = 6;  // pixels
+constexpr int kSnap = 2;                 // pixels beside a point, of which the most coloured counts
 constexpr double kLeastColour = 10.0;    // of normalised chroma: less is grey
 constexpr double kLeastTolerance = 8.0;  // across the ray from grey through the colour
 constexpr double kTolerance = 0.2;       // likewise, of the colour's distance from grey
 constexpr double kPalest = 0.65;         // along the ray: shade takes some of a dark colour
 constexpr double kRichest = 1.3;
+
+struct Seed {
+    glm::ivec2 pixel{};
+    glm::dvec2 chroma{};
+};
 
 struct Region {
     std::vector<glm::ivec2> pixels;
@@ -40,6 +46,22 @@ std::optional<glm::dvec2> chroma_around(const PictureView& picture, const glm::i
         }
     }
     return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
+// The pixel near a point whose neighbourhood is the most coloured: clicks lie beside small markers,
+// and some markers are half hidden.
+std::optional<Seed> seed_near(const PictureView& picture, const glm::ivec2& at) {
+    std::optional<Seed> seed;
+    for (int y = std::max(at.y - kSnap, 0); y <= std::min(at.y + kSnap, picture.height - 1); ++y) {
+        for (int x = std::max(at.x - kSnap, 0); x <= std::min(at.x + kSnap, picture.width - 1);
+             ++x) {
+            const auto chroma = chroma_around(picture, {x, y});
+            if (chroma && (!seed || glm::length(*chroma) > glm::length(seed->chroma))) {
+                seed = Seed{{x, y}, *chroma};
+            }
+        }
+    }
+    return seed;
 }
 
 // Whether a pixel may be of the colour that has this chroma in its middle.
@@ -92,18 +114,17 @@ Expected<Region> region_at(const PictureView& picture, const glm::dvec2& pixel) 
         return fail(fmt::format(
             "{} lies outside of the picture ({} x {})", where, picture.width, picture.height));
     }
-    const glm::ivec2 start(static_cast<int>(std::lround(pixel.x)),
-                           static_cast<int>(std::lround(pixel.y)));
-    const auto chroma = chroma_around(picture, start);
-    if (!chroma) {
+    const auto seed = seed_near(
+        picture, {static_cast<int>(std::lround(pixel.x)), static_cast<int>(std::lround(pixel.y))});
+    if (!seed) {
         return fail(where +
                     " is too dark or burnt out to tell a colour; show the marker in another "
                     "picture or change the light");
     }
-    if (glm::length(*chroma) < kLeastColour) {
+    if (glm::length(seed->chroma) < kLeastColour) {
         return fail(where + " has hardly any colour; click into the middle of the marker");
     }
-    Region region = grow(picture, start, *chroma);
+    Region region = grow(picture, seed->pixel, seed->chroma);
     if (region.pixels.size() < kLeastRegion) {
         return fail(where +
                     " has fewer than 6 pixels of one colour around it; click into the "
