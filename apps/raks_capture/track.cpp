@@ -22,7 +22,7 @@ struct TrackArguments {
     Path truth;   ///< folder with tracks.csv; empty: none
     double sigma = 1.0;
     double acceleration = 20.0;
-    double smoothing = 20.0;
+    double smoothing = 12.0;
 };
 
 Expected<void> write_tracks(const CapturePlan& plan, const capture::Tracks& tracks) {

@@ -38,14 +38,14 @@ constexpr std::array<ShippedMarker, 12> kShipped = {{
     {"c7", Bone::upper_chest, {0.0, 0.165, -0.090}, 1, -1},
     {"sternum", Bone::upper_chest, {0.0, 0.080, 0.115}, 2, -1},
     {"sacrum", Bone::hips, {0.0, 0.040, -0.120}, 2, -1},
-    {"shoulder", Bone::left_shoulder, {0.125, 0.050, -0.020}, 2, 1},
-    {"waist", Bone::hips, {0.115, 0.070, 0.085}, 0, 3},
-    {"elbow", Bone::left_lower_arm, {0.0, 0.050, 0.0}, 3, 2},
-    {"wrist", Bone::left_lower_arm, {0.225, 0.040, 0.0}, 4, 4},
-    {"knee", Bone::left_lower_leg, {0.055, 0.0, 0.0}, 4, 0},
-    {"ankle", Bone::left_lower_leg, {0.045, -0.395, -0.020}, 3, 1},
-    {"hand", Bone::left_hand, {0.075, 0.030, 0.0}, 1, 0},
-    {"toe", Bone::left_foot, {0.0, -0.035, 0.130}, 0, 2},
+    {"shoulder", Bone::left_shoulder, {0.125, 0.050, -0.020}, 3, 4},
+    {"waist", Bone::hips, {0.115, 0.070, 0.085}, 0, 1},
+    {"elbow", Bone::left_lower_arm, {0.0, 0.050, 0.0}, 4, 3},
+    {"wrist", Bone::left_lower_arm, {0.225, 0.040, 0.0}, 1, 0},
+    {"knee", Bone::left_lower_leg, {0.055, 0.0, 0.0}, 4, 2},
+    {"ankle", Bone::left_lower_leg, {0.045, -0.395, -0.020}, 0, 1},
+    {"hand", Bone::left_hand, {0.075, 0.030, 0.0}, 3, 4},
+    {"toe", Bone::left_foot, {0.0, -0.035, 0.130}, 2, 3},
 }};
 
 void read_head(const toml::table& root, TomlComplaints& complaints) {

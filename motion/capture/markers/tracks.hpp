@@ -35,7 +35,7 @@ enum class Doubt : std::uint8_t {
     filled,     ///< filled over more than 0.2 s
     length,     ///< its distance to a marker of the same bone is off
     exchanged,  ///< it may have changed places with another marker
-    residual,   ///< its views do not agree
+    residual,   ///< its views do not agree, or agree on a jump
 };
 /// Names of the doubts, as files have them, by Doubt.
 inline constexpr std::string_view kDoubtNames[] = {

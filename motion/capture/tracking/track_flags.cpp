@@ -97,6 +97,15 @@ void flag_stretches(Tracks& tracks,
     }
 }
 
+// Whether a third of the markers was missed at once: then a film jumped, or the dancer did.
+bool is_filled_for_many(const Tracks& tracks, std::size_t frame) {
+    std::size_t filled = 0;
+    for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+        filled += tracks.at(frame, marker).source == PlaceSource::filled ? 1U : 0U;
+    }
+    return 3 * filled >= tracks.markers.size();
+}
+
 // Whether a marker is where the body cannot have it.
 bool breaks_limits(const Tracks& tracks,
                    const std::vector<DistanceLimit>& limits,
@@ -126,6 +135,22 @@ bool is_near_its_like(const Tracks& tracks,
     return false;
 }
 
+// Whether a marker's views do not agree, or it jumped a few frames before or after.
+bool is_odd(const Tracked& tracked, double sigma, std::size_t frame, std::size_t marker) {
+    constexpr std::size_t kAround = 4;  // frames that a jump spoils
+    if (tracked.at(frame, marker).residual > kLargeResidual * sigma) {
+        return true;
+    }
+    const std::size_t first = frame > kAround ? frame - kAround : 0;
+    const std::size_t last = std::min(frame + kAround, tracked.frames() - 1);
+    for (std::size_t near = first; near <= last; ++near) {
+        if (tracked.at(near, marker).jumps) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void flag(const Tracked& tracked, const TrackRunInput& run, Tracks& tracks) {
     for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
         const auto source = [&](std::size_t frame) { return tracks.at(frame, marker).source; };
@@ -135,6 +160,9 @@ void flag(const Tracked& tracked, const TrackRunInput& run, Tracks& tracks) {
         flag_stretches(tracks, Doubt::filled, marker, kLongestUnflagged, [&](std::size_t frame) {
             return source(frame) == PlaceSource::filled;
         });
+        flag_stretches(tracks, Doubt::filled, marker, 0.0, [&](std::size_t frame) {
+            return source(frame) == PlaceSource::filled && is_filled_for_many(tracks, frame);
+        });
         flag_stretches(tracks, Doubt::length, marker, 0.0, [&](std::size_t frame) {
             return tracked.at(frame, marker).contradicts ||
                    breaks_limits(tracks, run.limits, frame, marker);
@@ -143,7 +171,7 @@ void flag(const Tracked& tracked, const TrackRunInput& run, Tracks& tracks) {
             return is_near_its_like(tracks, run.classes, frame, marker);
         });
         flag_stretches(tracks, Doubt::residual, marker, 0.0, [&](std::size_t frame) {
-            return tracked.at(frame, marker).residual > kLargeResidual * run.sigma;
+            return is_odd(tracked, run.sigma, frame, marker);
         });
     }
     std::sort(tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {

@@ -193,6 +193,7 @@ class TrackRun {
         const MeasuredPlace measured{point->place, point->covariance};
         if (follow.misses < kGateOffAfter &&
             innovation(*follow.belief, measured) > kInnovationGate) {
+            now_[marker].jumps = true;
             return;
         }
         for (const std::size_t view : point->views) {

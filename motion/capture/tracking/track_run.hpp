@@ -44,6 +44,7 @@ struct TrackedMarker {
     std::optional<MeasuredPlace> measured;  ///< none: not seen by two views
     std::size_t views = 0;                  ///< that count
     double residual = 0.0;                  ///< RMS, pixels
+    bool jumps = false;        ///< its views agree on a place that it cannot have reached
     bool contradicts = false;  ///< a place was given up since the body does not allow it
 };
 
