@@ -1,14 +1,12 @@
 #include "apps/raks_capture/commands.hpp"
 
-#include "apps/raks_capture/sync_command.hpp"
-
 namespace raks::apps {
 
 void add_commands(CommandTable& table) {
     table.app().require_subcommand(1);
     add_run(table);
     add_simulate(table);
-    add_sync(table, table.app());
+    add_sync(table);
     add_track(table);
     add_report(table);
 }

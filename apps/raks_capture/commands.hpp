@@ -16,6 +16,8 @@ void add_run(CommandTable& table);
 void add_report(CommandTable& table);
 /// Adds `simulate`.
 void add_simulate(CommandTable& table);
+/// Adds `sync`.
+void add_sync(CommandTable& table);
 /// Adds `track`.
 void add_track(CommandTable& table);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/printable.hpp"
@@ -28,6 +29,9 @@ std::string origin_of(const CameraSync& camera) {
                        printable(camera.through, 60));
 }
 
+// Without the minus sign of what rounds to 0.
+double shown(double seconds) { return std::abs(seconds) < 5e-5 ? 0.0 : seconds; }
+
 nlohmann::json number_or_null(bool is_known, double number) {
     return is_known ? nlohmann::json(number) : nlohmann::json();
 }
@@ -44,28 +48,31 @@ std::string sync_table(const SyncResult& result, const SyncPlan& plan) {
     for (const CameraSync& camera : result.cameras) {
         const std::string name = printable(camera.camera, 40);
         if (camera.clock) {
-            text += fmt::format("{:<{}} {:>10.4f} {:>9.1f} {:>10.2f}  {}\n",
-                                name,
-                                width,
-                                camera.clock->offset,
-                                camera.clock->drift_ppm,
-                                camera.clock->confidence,
-                                origin_of(camera));
+            text += fmt::format(
+                "{:<{}} {:>10.4f} {:>9.1f} {:>10.2f}  {}\n",
+                name,
+                width,
+                shown(camera.clock->offset),
+                std::abs(camera.clock->drift_ppm) < 0.05 ? 0.0 : camera.clock->drift_ppm,
+                camera.clock->confidence,
+                origin_of(camera));
         } else {
             text += fmt::format(
                 "{:<{}} {:>10} {:>9} {:>10}  {}\n", name, width, "-", "-", "-", origin_of(camera));
         }
     }
     if (result.song) {
+        const double start = plan.start.value_or(0.0);
         const std::string song = printable(plan.music->string(), 200);
         text += fmt::format(
-            "{} begins at {:.4f} s (confidence {:.2f}). Where the clip begins with the capture:\n"
+            "{} begins at {:.4f} s (confidence {:.2f}). For a dance that begins at {:.4f} s:\n"
             "  raks train figure dance.bvh --music {} --offset {:.4f}\n",
             song,
-            result.song->line.offset,
+            shown(result.song->line.offset),
             result.song->confidence,
+            start,
             song,
-            result.song->at_start());
+            shown(result.song->song_time(start)));
     }
     return text;
 }
@@ -96,23 +103,24 @@ std::string sync_json(const SyncResult& result, const SyncPlan& plan) {
                              {"begins", result.song->line.offset},
                              {"drift_ppm", result.song->line.drift_ppm},
                              {"confidence", result.song->confidence},
-                             {"offset", result.song->at_start()}};
+                             {"start", plan.start.value_or(0.0)},
+                             {"offset", result.song->song_time(plan.start.value_or(0.0))}};
     }
     document["warnings"] = result.warnings;
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string music_text(const SongSync& clock, const std::filesystem::path& song) {
+std::string music_text(const SongSync& clock, const SyncPlan& plan) {
     return fmt::format(
         "# capture time = begins + (1 + drift_ppm / 1e6) * the song's time, seconds\n"
-        "# offset: seconds of the song at capture time 0, as raks train figure --offset takes it\n"
+        "# offset: seconds of the song at capture time 0\n"
         "format = \"raks-music\"\nversion = 1\n"
         "file = {}\nbegins = {}\ndrift_ppm = {}\nconfidence = {}\noffset = {}\n",
-        toml_quoted(song.string()),
+        toml_quoted(plan.music->string()),
         clock.line.offset,
         clock.line.drift_ppm,
         clock.confidence,
-        clock.at_start());
+        clock.song_time(0.0));
 }
 
 }  // namespace raks::apps

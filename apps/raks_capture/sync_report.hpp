@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "apps/raks_capture/synchronise.hpp"
@@ -12,7 +11,7 @@ namespace raks::apps {
 [[nodiscard]] std::string sync_table(const SyncResult& result, const SyncPlan& plan);
 /// The same for programs: raks-sync, version 1 (docs/reference/files.md).
 [[nodiscard]] std::string sync_json(const SyncResult& result, const SyncPlan& plan);
-/// The song's clock as a file (`music.toml`): raks-music, version 1. `song`: as the user named it.
-[[nodiscard]] std::string music_text(const SongSync& clock, const std::filesystem::path& song);
+/// The song's clock as a file (`music.toml`): raks-music, version 1.
+[[nodiscard]] std::string music_text(const SongSync& clock, const SyncPlan& plan);
 
 }  // namespace raks::apps

@@ -72,6 +72,9 @@ class Synchronisation {
 
     Expected<audio::SyncTrack> read_track(const std::filesystem::path& file,
                                           const std::string& name) {
+        if (file.empty()) {
+            return fail(name + ": has no film in capture.toml, so its clock cannot be told");
+        }
         auto sound = audio::read_all_mono(file, kLongestTake);
         if (!sound) {
             return fail(std::move(sound.error()));

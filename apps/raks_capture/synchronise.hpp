@@ -25,7 +25,7 @@ inline constexpr double kDoubtfulDisagreement = 0.005;
 /// A camera and the file with its sound.
 struct CameraSound {
     std::string camera;              ///< its name in the rig
-    std::filesystem::path file;      ///< film or sound
+    std::filesystem::path file;      ///< film or sound; empty: none
     std::optional<double> metres{};  ///< from the loudspeaker
 };
 
@@ -37,6 +37,7 @@ struct SyncPlan {
     /// As audio::JointOptions.
     double most_offset = std::numeric_limits<double>::infinity();
     int threads = 1;
+    std::optional<double> start{};  ///< capture time at which the dance will begin
 };
 
 /// One camera's clock and how it came about.
@@ -55,8 +56,11 @@ struct SongSync {
     audio::ClockLine line;    ///< capture time of the song's time
     double confidence = 0.0;  ///< [0, 1]
 
-    /// Seconds of the song at capture time 0: the `--offset` of `raks train figure --music`.
-    [[nodiscard]] double at_start() const noexcept { return line.inverse().at(0.0); }
+    /// Seconds of the song at a capture time: where the dance begins, the `--offset` of
+    /// `raks train figure --music`.
+    [[nodiscard]] double song_time(double capture_time) const noexcept {
+        return line.inverse().at(capture_time);
+    }
 };
 
 /// All of a capture.

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/raks_capture/sync_command.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/sync_report.hpp"
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/damage/room_recorder.hpp"
@@ -69,10 +70,26 @@ class Synchronise : public ::testing::Test {
         ASSERT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(concurrency-mt-unsafe)
         std::filesystem::remove(sound);
     }
+    // Writes capture.toml with these cameras: names and films; `metres`: of each to the
+    // loudspeaker.
+    void plan(const std::vector<std::string>& films,
+              const std::vector<double>& metres = {},
+              std::optional<double> start = {}) const {
+        CapturePlan plan;
+        plan.start = start;
+        for (std::size_t i = 0; i < films.size(); ++i) {
+            PlannedCamera camera;
+            camera.name = std::filesystem::path(films[i]).stem().string();
+            camera.film = films[i];
+            camera.loudspeaker = i < metres.size() ? metres[i] : 0.0;
+            plan.cameras.push_back(camera);
+        }
+        ASSERT_TRUE(write_file(this->films() / "capture.toml", capture_plan_text(plan)));
+    }
     // The command as it is typed, without the program's name. Its exit code, 1 for an error.
     static int type(std::vector<std::string> words) {
         CommandTable table("test", "raks capture");
-        add_sync(table, table.app());
+        add_sync(table);
         std::reverse(words.begin(), words.end());
         try {
             table.app().parse(words);
@@ -100,6 +117,7 @@ TEST_F(Synchronise, films_and_a_song_give_clocks_and_the_offset_to_train_with) {
     film("right", 13.25, -30.0);
     make_film("left");
     write_song();
+    plan({"back.wav", "left.mp4", "right.wav"}, {}, 2.5);
     ASSERT_EQ(type({"sync", films().string(), "--music", song().string()}), kExitDone);
     const auto clocks = written_clocks();
     ASSERT_EQ(clocks.size(), 3U);
@@ -157,6 +175,7 @@ TEST_F(Synchronise, cameras_that_hear_nothing_are_named_and_the_others_go_on) {
     write(films() / "silent.wav", std::vector<float>(kRate * 10));
     write(films() / "short.wav", std::vector<float>(music_.begin(), music_.begin() + kRate));
     ASSERT_TRUE(write_file(films() / "broken.mp4", "no film"));
+    plan({"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav"});
     EXPECT_EQ(type({"sync", films().string()}), kExitPartly);
     ASSERT_EQ(written_clocks().size(), 2U);
 
@@ -182,6 +201,7 @@ TEST_F(Synchronise, music_that_no_camera_heard_is_said) {
     other.seconds = 30.0;
     other.channels = 1;
     write(song(), audio::generate(other)->samples);
+    plan({"a.wav", "b.wav"});
     EXPECT_EQ(type({"sync", films().string(), "--music", song().string()}), kExitPartly);
     EXPECT_EQ(written_clocks().size(), 2U);
     EXPECT_FALSE(std::filesystem::exists(films() / "music.toml"));
@@ -191,6 +211,7 @@ TEST_F(Synchronise, clocks_set_by_hand_count_before_the_sound) {
     film("a", 5.0, 0.0);
     film("b", 6.0, 0.0);
     write(films() / "mute.wav", std::vector<float>(kRate * 10));
+    plan({"a.wav", "b.wav", "mute.wav"});
     const auto hand = folder_ / "hand.toml";
     const std::vector<capture::Clock> set{{"a", 100.0, 0.0, 1.0}, {"mute", 101.5, 10.0, 1.0}};
     ASSERT_TRUE(write_file(hand, capture::clocks_text(set)));
@@ -208,31 +229,21 @@ TEST_F(Synchronise, clocks_set_by_hand_count_before_the_sound) {
 TEST_F(Synchronise, the_way_of_the_sound_is_taken_off_where_the_loudspeaker_is_known) {
     film("a", 5.0, 0.0, 2.0);
     film("b", 6.0, 0.0, 9.0);
-    std::string rig;
-    // Cameras at (0, 0, -2) and (0, 0, -9): their worlds' origin lies before them.
-    for (const auto& [name, metres] : {std::pair("a", 2), std::pair("b", 9)}) {
-        rig += "[cam_" + std::string(name) + "]\nname = \"" + name +
-               "\"\nsize = [1280, 720]\nmatrix = [[900.0, 0.0, 639.5], [0.0, 900.0, 359.5], "
-               "[0.0, 0.0, 1.0]]\nrotation = [0.0, 0.0, 0.0]\ntranslation = [0.0, 0.0, " +
-               std::to_string(metres) + ".0]\n";
-    }
-    ASSERT_TRUE(write_file(films() / "rig.toml", rig));
-    ASSERT_EQ(type({"sync", films().string(), "--loudspeaker", "0,0,0"}), kExitDone);
+    plan({"a.wav", "b.wav"}, {2.0, 9.0});
+    ASSERT_EQ(type({"sync", films().string()}), kExitDone);
     EXPECT_NEAR(written_clocks()[1].offset, 1.0, 5e-4);
+    plan({"a.wav", "b.wav"});
     ASSERT_EQ(type({"sync", films().string()}), kExitDone);
     EXPECT_NEAR(written_clocks()[1].offset, 1.0 - 7.0 / 343.0, 5e-4);
 }
 
-TEST_F(Synchronise, folders_without_films_and_two_films_of_one_camera_are_refused) {
+TEST_F(Synchronise, folders_without_a_capture_or_without_sound_are_refused) {
     EXPECT_EQ(type({"sync", films().string()}), kExitFailed);
     EXPECT_EQ(type({"sync", (folder_ / "nowhere").string()}), kExitFailed);
-    EXPECT_EQ(type({"sync", films().string(), "--loudspeaker", "1,2"}), kExitUsage);
     EXPECT_EQ(type({"sync", films().string(), "--within", "nan"}), kExitUsage);
-    ASSERT_TRUE(write_file(films() / "a.wav", "x"));
-    EXPECT_EQ(type({"sync", films().string(), "--loudspeaker", "1,2,3"}), kExitFailed);
+    plan({"a.wav", "b.wav"});
     EXPECT_EQ(type({"sync", films().string()}), kExitFailed);
-    ASSERT_TRUE(write_file(films() / "a.mp4", "x"));
-    EXPECT_EQ(type({"sync", films().string()}), kExitFailed);
+    EXPECT_FALSE(std::filesystem::exists(films() / "clocks.toml"));
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+// `raks capture sync`: the clocks of the films from their sound.
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/sync_report.hpp"
+#include "apps/raks_capture/synchronise.hpp"
+#include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/program.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file of clocks
+
+struct SyncArguments {
+    std::string folder;
+    std::string music;
+    std::string offsets;
+    double within = std::numeric_limits<double>::infinity();
+    bool as_json = false;
+};
+
+// The cameras of a capture that were filmed.
+std::vector<CameraSound> sounds_of(const CapturePlan& capture) {
+    std::vector<CameraSound> cameras;
+    for (const PlannedCamera& camera : capture.cameras) {
+        CameraSound sound{camera.name, {}, std::nullopt};
+        if (!camera.film.empty()) {
+            sound.file = capture.file(camera.film).lexically_normal();
+        }
+        if (camera.loudspeaker > 0.0) {
+            sound.metres = camera.loudspeaker;
+        }
+        cameras.push_back(std::move(sound));
+    }
+    return cameras;
+}
+
+Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
+    const auto capture = load_capture_plan(arguments.folder);
+    if (!capture) {
+        return fail(capture.error());
+    }
+    SyncPlan plan;
+    plan.cameras = sounds_of(*capture);
+    plan.start = capture->start;
+    if (!arguments.music.empty()) {
+        plan.music = arguments.music;
+    } else if (!capture->music.empty()) {
+        plan.music = capture->file(capture->music).lexically_normal();
+    }
+    if (!arguments.offsets.empty()) {
+        const auto text = read_text_file(arguments.offsets, kMostBytes);
+        if (!text) {
+            return fail(text.error());
+        }
+        auto clocks = capture::read_clocks(*text, arguments.offsets);
+        if (!clocks) {
+            return fail(std::move(clocks.error()));
+        }
+        plan.by_hand = std::move(*clocks);
+    }
+    plan.most_offset = arguments.within;
+    plan.threads = static_cast<int>(std::thread::hardware_concurrency());
+    return plan;
+}
+
+// The clocks of the cameras, and that of the song.
+Expected<void> write_clocks(const fs::path& folder,
+                            const SyncResult& result,
+                            const SyncPlan& plan) {
+    auto written = write_file(folder / "clocks.toml", capture::clocks_text(result.clocks()));
+    if (written && result.song) {
+        written = write_file(folder / "music.toml", music_text(*result.song, plan));
+    }
+    return written;
+}
+
+ExitCode run_sync(const SyncArguments& arguments) {
+    const auto plan = plan_of(arguments);
+    if (!plan) {
+        return fail(plan.error());
+    }
+    Expected<SyncResult> result;
+    {
+        ProgressLine progress("sound of the films");
+        result = synchronise(*plan, [&](double share) {
+            progress.show(share);
+            return !stop_signal();
+        });
+    }
+    if (!result) {
+        return fail(std::move(result.error()));
+    }
+    if (stop_signal()) {
+        return exit_code_after_signals(kExitPartly);
+    }
+    for (const std::string& warning : result->warnings) {
+        say(warning);
+    }
+    if (result->clocks().empty()) {
+        return fail(arguments.folder + ": no camera's clock could be told; see above");
+    }
+    const fs::path folder(arguments.folder);
+    if (auto written = write_clocks(folder, *result, *plan); !written) {
+        return fail(std::move(written.error()));
+    }
+    if (arguments.as_json) {
+        print_json(sync_json(*result, *plan));
+    } else {
+        print_text(sync_table(*result, *plan));
+    }
+    return result->is_whole ? kExitDone : kExitPartly;
+}
+
+}  // namespace
+
+void add_sync(CommandTable& table) {
+    auto [app, a] = table.add<SyncArguments>(
+        table.app(), "sync", "tell the clocks of the films from their sound", run_sync);
+    app->add_option("FOLDER", a->folder, "of the capture, with capture.toml")->required();
+    app->add_option("--music", a->music, "the song that was played; else what capture.toml names");
+    app->add_option("--offsets", a->offsets, "clocks set by hand (clocks.toml)");
+    app->add_option("--within", a->within, "seconds within which all cameras were started")
+        ->check(in_range(kShortestSeconds, kLongestSeconds));
+    app->add_flag("--json", a->as_json, "print JSON");
+}
+
+}  // namespace raks::apps
