@@ -8,7 +8,9 @@ void add_commands(CommandTable& table) {
     add_simulate(table);
     add_sync(table);
     add_track(table);
+    add_solve(table);
     add_report(table);
+    add_compare(table);
 }
 
 }  // namespace raks::apps

@@ -18,6 +18,10 @@ void add_report(CommandTable& table);
 void add_simulate(CommandTable& table);
 /// Adds `sync`.
 void add_sync(CommandTable& table);
+/// Adds `compare`.
+void add_compare(CommandTable& table);
+/// Adds `solve`.
+void add_solve(CommandTable& table);
 /// Adds `track`.
 void add_track(CommandTable& table);
 

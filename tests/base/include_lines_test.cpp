@@ -162,6 +162,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "motion/skeleton/body",
       "motion/skeleton/formats",
       "motion/capture/**",
+      "motion/evaluate",
       "render",
       "render/**",
       "engine/**",

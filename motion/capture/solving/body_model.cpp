@@ -72,7 +72,7 @@ TurningJoint hinge(Bone bone,
 
 }  // namespace
 
-glm::dquat rotation_of(const glm::dvec3& turn) noexcept {
+glm::dquat turned_by(const glm::dvec3& turn) noexcept {
     const double angle = glm::length(turn);
     const double half = 0.5 * angle;
     // sin(angle / 2) / angle, by its series near 0.
@@ -155,7 +155,7 @@ void BodyModel::add_side(BodyKind kind, Side side) {
                  kTrunkAcceleration));
     }
     TurningJoint arm = ball({bone(Bone::left_upper_arm)}, glm::dvec3(1.2), kFree, kArmAcceleration);
-    arm.usual = rotation_of({0.0, 0.0, -0.9 * out});  // half-way down
+    arm.usual = turned_by({0.0, 0.0, -0.9 * out});  // half-way down
     add(arm);
     // In the T-pose the elbow brings the hand forward, the knee the heel back.
     const double elbow = highest_of("left elbow");
@@ -204,7 +204,7 @@ BodyState BodyModel::usual_state(const BodyShape& shape) const {
     state.hips = shape.offsets[0];
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const TurningJoint& joint = joints_[i];
-        state.turns[i] = rotation_of(turn_vector(joint.usual) / static_cast<double>(joint.count));
+        state.turns[i] = turned_by(turn_vector(joint.usual) / static_cast<double>(joint.count));
         state.angles[i] = joint.usual_angle;
     }
     return state;
@@ -220,15 +220,15 @@ BodyState BodyModel::moved(const BodyState& state, const double* change) const {
             next.angles[i] += by[0];
         } else {
             const double share = 1.0 / static_cast<double>(joint.count);
-            next.turns[i] = glm::normalize(next.turns[i] *
-                                           rotation_of(share * glm::dvec3(by[0], by[1], by[2])));
+            next.turns[i] =
+                glm::normalize(next.turns[i] * turned_by(share * glm::dvec3(by[0], by[1], by[2])));
         }
     }
     return next;
 }
 
 glm::dquat BodyModel::local_turn(const BodyState& state, std::size_t joint) const {
-    return joints_[joint].is_hinge ? rotation_of(state.angles[joint] * joints_[joint].axis)
+    return joints_[joint].is_hinge ? turned_by(state.angles[joint] * joints_[joint].axis)
                                    : state.turns[joint];
 }
 
@@ -313,7 +313,7 @@ BodyState BodyModel::between(const BodyState& from, const BodyState& to, double 
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         state.angles[i] += share * (to.angles[i] - from.angles[i]);
         const glm::dvec3 turn = turn_vector(glm::conjugate(from.turns[i]) * to.turns[i]);
-        state.turns[i] = from.turns[i] * rotation_of(share * turn);
+        state.turns[i] = from.turns[i] * turned_by(share * turn);
     }
     return state;
 }

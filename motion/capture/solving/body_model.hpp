@@ -150,7 +150,7 @@ class BodyModel {
 // Rotations as vectors: their axis times their angle in radians.
 
 /// The rotation of a vector.
-[[nodiscard]] glm::dquat rotation_of(const glm::dvec3& turn) noexcept;
+[[nodiscard]] glm::dquat turned_by(const glm::dvec3& turn) noexcept;
 /// The vector of a rotation, the shorter way round.
 [[nodiscard]] glm::dvec3 turn_vector(const glm::dquat& rotation) noexcept;
 /// How the vector of a rotation changes with a small turn of it in its own frame (the inverse of

@@ -89,7 +89,7 @@ void set_arms(const BodyModel& model, const ArmStart& arms, BodyState& state) {
         for (const Side side : motion::kSides) {
             const double out = side == Side::left ? 1.0 : -1.0;
             if (joint.bones[0] == on_side(Bone::left_upper_arm, side)) {
-                state.turns[i] = rotation_of({arms.turn.x, out * arms.turn.y, out * arms.turn.z});
+                state.turns[i] = turned_by({arms.turn.x, out * arms.turn.y, out * arms.turn.z});
             } else if (joint.bones[0] == on_side(Bone::left_lower_arm, side) &&
                        joint.axis.y != 0.0) {
                 state.angles[i] = arms.bend;

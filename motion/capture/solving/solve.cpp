@@ -30,6 +30,9 @@ constexpr std::size_t kSizeFrames = 80;    // from which the body's size is fitt
 // usual.
 constexpr double kModelDeviation = 0.01;
 constexpr double kSizeDoubt = 1.5;
+// Differences at which a marker counts half: before the body's size is known, and after; metres.
+constexpr double kUnfittedOutlier = 0.15;
+constexpr double kFittedOutlier = 0.04;
 constexpr double kLeastDeviation = 0.002;  // metres: no marker is known better
 constexpr double kFleshDeviation = 0.003;  // metres: markers move on the body
 // Weights of the places and of the motion's accelerations in balance: at 60 raw places a second the
@@ -210,10 +213,10 @@ Expected<SolvedDance> DanceSolver::solve() {
         return fail(seen.error());
     }
     begin_size();
-    weights_.outlier = 0.15;  // before the body's size is known
+    weights_.outlier = kUnfittedOutlier;
     states_ = fit_frames(context(), sights_);
     fit_size_to(kSizeFrames);
-    weights_.outlier = 0.04;
+    weights_.outlier = kFittedOutlier;
     fit_size_to(kSizeFrames);
     const double height = kMannequinHeight * size_.whole;
     if (!(height >= kLeastHeight && height <= kMostHeight)) {
@@ -221,12 +224,18 @@ Expected<SolvedDance> DanceSolver::solve() {
             "the markers are those of a body of {:.2f} m; are the cameras' places in metres?",
             height));
     }
+    // Soles are found in what was solved, and what is solved follows them: two rounds.
     smooth_states(4);
-    find_planted(model_, shape_, states_, rate_, sights_);
-    fit_size_to(kSizeFrames);
-    smooth_states(3);
-    find_planted(model_, shape_, states_, rate_, sights_);
-    smooth_states(3);
+    for (const double done : {0.4, 0.7}) {
+        if (options_.progress && !options_.progress(done)) {
+            return fail("stopped");
+        }
+        find_planted(model_, shape_, states_, rate_, sights_);
+        if (done < 0.5) {
+            fit_size_to(kSizeFrames);
+        }
+        smooth_states(3);
+    }
     return result();
 }
 

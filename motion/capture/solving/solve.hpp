@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ struct SolveOptions {
     /// How far markers sit from where the set has them: standard deviation along each axis, metres.
     double marker_deviation = 0.015;
     double smoothness = 1.0;  ///< > 1: the dancer is expected to move more softly
+    /// Called with the share done, [0, 1], between the stages; once it returns false, solve ends
+    /// with an error.
+    std::function<bool(double)> progress{};
 };
 
 /// How well a marker fits the solved body.

@@ -139,11 +139,15 @@ std::string body_text(const SolvedDance& dance, const MarkerSet& markers) {
         return static_cast<double>(glm::length(skeleton.offsets[index_of(bone)]));
     };
     std::string text = fmt::format(
-        "format = \"raks-body\"\nversion = 1\nheight = {:.4f}  # metres\n\n"
+        "format = \"raks-body\"\nversion = 1\nheight = {:.4f}  # metres\n"
+        "first_time = {:.6f}  # capture time of the first pose, seconds\n"
+        "frames_per_second = {:.6g}\n\n"
         "[lengths]  # metres\nthigh = {:.4f}\nshin = {:.4f}\nupper_arm = {:.4f}\n"
         "forearm = {:.4f}\nhip_width = {:.4f}\nshoulder_width = {:.4f}\nfoot = {:.4f}\n\n"
         "[parts]  # length / that of the mannequin as tall\n",
         kMannequinHeight * dance.size.whole,
+        dance.first_time,
+        dance.frames_per_second,
         length(motion::Bone::left_lower_leg),
         length(motion::Bone::left_foot),
         length(motion::Bone::left_lower_arm),

@@ -90,13 +90,13 @@ TEST(TurnVector, and_rotation_are_inverse_and_change_as_told) {
                                    glm::dvec3(1e-5, 0.0, -1e-5),
                                    glm::dvec3(0.4, -0.2, 0.9),
                                    glm::dvec3(1.5, 2.0, -1.2)}) {
-        EXPECT_LT(glm::distance(turn_vector(rotation_of(turn)), turn), 1e-12);
+        EXPECT_LT(glm::distance(turn_vector(turned_by(turn)), turn), 1e-12);
         const glm::dmat3 change = turn_vector_change(turn);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             glm::dvec3 step(0.0);
             step[axis] = kStep;
-            const glm::dvec3 moved = (turn_vector(rotation_of(turn) * rotation_of(step)) -
-                                      turn_vector(rotation_of(turn) * rotation_of(-step))) /
+            const glm::dvec3 moved = (turn_vector(turned_by(turn) * turned_by(step)) -
+                                      turn_vector(turned_by(turn) * turned_by(-step))) /
                                      (2.0 * kStep);
             EXPECT_LT(glm::distance(moved, change[axis]), 1e-8);
         }

@@ -62,7 +62,7 @@ std::vector<Pose> written_poses(const std::string& file,
 void spin(double a_second, std::vector<Pose>& poses) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const double angle = a_second * static_cast<double>(i) / 60.0;
-        const auto turn = glm::quat(rotation_of({0.0, angle, 0.0}));
+        const auto turn = glm::quat(turned_by({0.0, angle, 0.0}));
         poses[i].hips_position = turn * poses[i].hips_position;
         poses[i].local_rotations[0] = turn * poses[i].local_rotations[0];
     }
