@@ -4,6 +4,8 @@ namespace raks::apps {
 
 void add_commands(CommandTable& table) {
     table.app().require_subcommand(1);
+    add_board(table);
+    add_calibrate(table);
     add_run(table);
     add_simulate(table);
     add_sync(table);

@@ -10,6 +10,10 @@ namespace raks::apps {
 /// Adds all of them, of which one must be chosen.
 void add_commands(CommandTable& table);
 
+/// Adds `board`.
+void add_board(CommandTable& table);
+/// Adds `calibrate`.
+void add_calibrate(CommandTable& table);
 /// Adds `run`.
 void add_run(CommandTable& table);
 /// Adds `report`.

@@ -111,11 +111,6 @@ void add_doubts(LensFit& fit, std::size_t views) {
                         "sharp?",
                         fit.rms));
     }
-    if (!is_monotonic(fit.lens)) {
-        fit.doubts.emplace_back(
-            "its distortion folds over inside the picture: show the board in the corners, too, or "
-            "calibrate with 5 coefficients");
-    }
 }
 
 }  // namespace

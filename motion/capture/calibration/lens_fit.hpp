@@ -29,8 +29,7 @@ struct LensFit {
 /// Fits camera matrix and distortion to views of a board (Zhang's method with OpenCV's least
 /// squares); views of fewer than 6 corners are not used. Errors, one line without the camera's
 /// name: fewer than 3 views; all boards in one pose, or so alike that the focal length is known to
-/// no better than 5 %. Doubts: fewer than 10 views, an RMS above 1 px, a distortion that folds over
-/// in the picture.
+/// no better than 5 %. Doubts: fewer than 10 views, an RMS above 1 px.
 /// Threads: any. Real-time: no (a second for 60 views).
 [[nodiscard]] Expected<LensFit> fit_lens(int width,
                                          int height,

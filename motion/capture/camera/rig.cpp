@@ -129,8 +129,8 @@ std::vector<std::string> rig_doubts(const Rig& rig) {
         }
         if (!is_monotonic(camera.lens)) {
             doubts.push_back(fmt::format(
-                "camera \"{}\": its distortion folds over inside the picture; calibrate with 5 "
-                "coefficients",
+                "camera \"{}\": its distortion folds over inside the picture; calibrate with the "
+                "board in its corners, too, and with 5 coefficients",
                 name));
         }
         if (camera.centre().y < 0.0) {
