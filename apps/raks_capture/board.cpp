@@ -89,7 +89,7 @@ void add_board(CommandTable& table) {
     const auto [app, arguments] = table.add<BoardArguments>(
         table.app(), "board", "draw the board that calibrates the cameras, to print", &draw);
     app->add_option("capture", arguments->capture, "folder of a capture, for the board it names");
-    app->add_option("-o,--output", arguments->output, "board.pdf, in true size, or board.png")
+    app->add_option("-o,--out", arguments->output, "board.pdf, in true size, or board.png")
         ->required();
     app->add_option("--kind", arguments->kind, "charuco or chessboard")
         ->check(one_of({"charuco", "chessboard"}));

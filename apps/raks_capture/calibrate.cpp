@@ -173,7 +173,7 @@ void add_calibrate(CommandTable& table) {
     const auto [app, arguments] = table.add<CalibrateArguments>(
         table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("-o,--output", arguments->output, "the rig (rig.toml of the folder)");
+    app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
     app->add_option("--clocks", arguments->clocks, "clocks of the calibration films (TOML)");
     app->add_option("--every", arguments->every, "seconds between the pictures that are looked at")
         ->check(in_range(0.01, 60.0));
