@@ -42,6 +42,16 @@ std::span<const Reader> readers() {
         {"joint_map", read_joint_map_file, {}, 2000},
         {"lens_yaml", read_lens_file, {}, 1000},
         {"rig", read_rig_file, {}, 1000},
+#ifdef RAKS_CAPTURE_IS_BUILT
+        {"capture_plan", read_capture_plan, {}, 2000},
+#endif
+        {"marker_set", read_marker_set_file, {}, 1000},
+        {"clocks", read_clocks_file, {}, 2000},
+        {"marker_labels", read_marker_labels, {}, 2000},
+        {"detections", read_detections, {}, 1000},
+        {"tracks", read_tracks_file, {}, 1000},
+        {"flags", read_flags_file, {}, 2000},
+        {"edits", read_edits_file, {}, 2000},
         {"model",
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},

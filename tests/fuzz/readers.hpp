@@ -62,6 +62,14 @@ bool read_bone_label_file(std::string_view text);  ///< labels of avatars
 bool read_joint_map_file(std::string_view text);   ///< of clips; and puts it to one
 bool read_lens_file(std::string_view text);        ///< OpenCV's; and writes it again
 bool read_rig_file(std::string_view text);         ///< of any program; and writes it again
+bool read_capture_plan(std::string_view text);     ///< capture.toml; and writes it again
+bool read_marker_set_file(std::string_view text);  ///< likewise, as those that follow
+bool read_clocks_file(std::string_view text);      ///< of cameras
+bool read_marker_labels(std::string_view text);    ///< of pictures
+bool read_detections(std::string_view text);       ///< spots in pictures
+bool read_tracks_file(std::string_view text);      ///< of markers; and as TRC
+bool read_flags_file(std::string_view text);       ///< of two markers over ten frames
+bool read_edits_file(std::string_view text);       ///< of tracks
 bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
 
 }  // namespace raks::fuzz
