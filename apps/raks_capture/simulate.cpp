@@ -8,8 +8,11 @@
 
 #include "apps/clips/clip_reading.hpp"
 #include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/drawn_films.hpp"
 #include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/io/audio_file.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/studio/point_studio.hpp"
@@ -28,12 +31,14 @@ struct SimulateArguments {
     Path rig;      ///< empty: the studio's
     Path markers;  ///< empty: the shipped set
     bool points = false;
-    bool unique = false;   ///< each marker has a colour of its own
-    int cameras = 6;       ///< of the studio's rig
-    double fps = 0.0;      ///< of the motion; 0: the file's
-    double rate = 0.0;     ///< of the cameras; 0: the motion's
-    double seconds = 0.0;  ///< of the motion to film; 0: all
-    double tempo = 1.0;    ///< how much faster than recorded the dance is danced
+    bool is_draft = false;  ///< of the films
+    Path music;             ///< that sounds in the room; empty: none
+    bool unique = false;    ///< each marker has a colour of its own
+    int cameras = 6;        ///< of the studio's rig
+    double fps = 0.0;       ///< of the motion; 0: the file's
+    double rate = 0.0;      ///< of the cameras; 0: the motion's
+    double seconds = 0.0;   ///< of the motion to film; 0: all
+    double tempo = 1.0;     ///< how much faster than recorded the dance is danced
     capture::StudioOptions studio;
     BodyArguments body;
 };
@@ -122,14 +127,65 @@ Expected<capture::MarkerSet> markers_of(const SimulateArguments& arguments) {
     return load_markers(plan);
 }
 
-CapturePlan plan_of(const capture::Rig& rig, double frames_per_second) {
+// What sounds in the room, as the films want it.
+Expected<std::vector<float>> music_of(const SimulateArguments& arguments) {
+    constexpr int kFilmRate = 48'000;
+    if (arguments.music.empty()) {
+        return std::vector<float>{};
+    }
+    auto music = audio::read_all_mono(arguments.music);
+    if (!music) {
+        return fail(std::move(music.error()));
+    }
+    if (music->rate.hertz() != kFilmRate) {
+        return fail(
+            fmt::format("{}: has {} Hz, must have 48000: convert it with ffmpeg -i {} -ar "
+                        "48000 NEW.wav",
+                        arguments.music.string(),
+                        music->rate.hertz(),
+                        arguments.music.filename().string()));
+    }
+    return std::move(music->samples);
+}
+
+std::string film_name(const capture::Camera& camera) { return camera.name + ".mp4"; }
+
+// The films of all cameras, into the capture's folder.
+Expected<void> draw_take(const SimulateArguments& arguments,
+                         const Path& folder,
+                         const capture::StudioTake& take,
+                         const capture::StudioMotion& motion,
+                         const capture::Rig& rig,
+                         const capture::MarkerSet& markers) {
+    const auto music = music_of(arguments);
+    if (!music) {
+        return fail(music.error());
+    }
+    ProgressLine progress("drawing films");
+    DrawnFilmOptions options;
+    options.frames_per_second = take.truth.frames_per_second;
+    options.is_draft = arguments.is_draft;
+    options.music = *music;
+    options.seed = arguments.studio.seed;
+    options.tell_progress = [&](std::size_t camera, std::size_t done, std::size_t all) {
+        progress.show(
+            (static_cast<double>(camera) + static_cast<double>(done) / static_cast<double>(all)) /
+            static_cast<double>(rig.cameras.size()));
+    };
+    options.is_stop_requested = [] { return stop_signal().has_value(); };
+    const auto films = draw_films(motion, rig, markers, take.clocks, folder, options);
+    return films ? Expected<void>{} : fail(films.error());
+}
+
+CapturePlan plan_of(const capture::Rig& rig, double frames_per_second, bool has_films) {
     CapturePlan plan;
     plan.height = 1.714;  // the mannequin's
     plan.markers = "markers.toml";
     plan.frames_per_second = frames_per_second;
     plan.start = 0.0;
     for (const capture::Camera& camera : rig.cameras) {
-        plan.cameras.push_back({camera.name, {}, {}, 0.0});
+        plan.cameras.push_back(
+            {camera.name, has_films ? Path(film_name(camera)) : Path(), {}, 0.0});
     }
     return plan;
 }
@@ -149,15 +205,18 @@ Expected<void> write_take(const Path& folder,
                           const capture::StudioTake& take,
                           const capture::Rig& rig,
                           const capture::MarkerSet& markers,
-                          const FilmedMotion& filmed) {
+                          const FilmedMotion& filmed,
+                          bool has_films) {
     const double rate = take.truth.frames_per_second;
     const std::pair<const char*, std::string> files[] = {
-        {"capture.toml", capture_plan_text(plan_of(rig, rate))},
+        {"capture.toml", capture_plan_text(plan_of(rig, rate, has_films))},
         {"markers.toml", capture::marker_set_text(markers)},
         {"rig.toml", capture::rig_text(rig)},
         {"clocks.toml", capture::clocks_text(assumed_clocks(take.clocks))},
         {"labels.tsv", capture::labels_text(take.labels)},
-        {"detections.csv", capture::observations_text(take.seen)},
+        // Of films it is to be found, and what would have been is true.
+        {has_films ? "truth/detections.csv" : "detections.csv",
+         capture::observations_text(take.seen)},
         {"truth/clocks.toml", capture::clocks_text(take.clocks)},
         {"truth/tracks.csv", capture::tracks_text(take.truth)},
         {"truth/rig.toml", capture::rig_text(rig)},
@@ -214,17 +273,23 @@ ExitCode simulate(const SimulateArguments& arguments) {
     }
     capture::StudioOptions options = arguments.studio;
     options.frames_per_second = arguments.rate > 0.0 ? arguments.rate : filmed->frames_per_second;
-    const capture::StudioTake take = capture::film_points(
-        {motion::mannequin_skeleton(), filmed->poses, filmed->frames_per_second},
-        *rig,
-        *markers,
-        options);
+    const capture::StudioMotion motion{
+        motion::mannequin_skeleton(), filmed->poses, filmed->frames_per_second};
+    const capture::StudioTake take = capture::film_points(motion, *rig, *markers, options);
     auto folder = PendingFile::create_folder(arguments.output);
     if (!folder) {
         return fail(std::move(folder.error()));
     }
-    if (auto written = write_take(folder->part(), take, *rig, *markers, *filmed); !written) {
+    if (auto written = write_take(folder->part(), take, *rig, *markers, *filmed, !arguments.points);
+        !written) {
         return fail(std::move(written.error()));
+    }
+    if (!arguments.points) {
+        if (auto drawn = draw_take(arguments, folder->part(), take, motion, *rig, *markers);
+            !drawn) {
+            return stop_signal() ? ExitCode(exit_code_after_signals(kExitDone))
+                                 : fail(std::move(drawn.error()));
+        }
     }
     if (auto done = folder->commit(); !done) {
         return fail(std::move(done.error()));
@@ -240,8 +305,9 @@ void add_simulate(CommandTable& table) {
         table.app(), "simulate", "film a known dance with cameras that there are not", &simulate);
     app->add_option("motion", arguments->motion, "motion file")->required();
     app->add_option("-o,--out", arguments->output, "folder to make")->required();
-    app->add_flag("--points", arguments->points, "points in pictures, without the pictures")
-        ->required();
+    app->add_flag("--points", arguments->points, "points in pictures, without the pictures");
+    app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
+    app->add_option("--music", arguments->music, "what sounds in the films; 48,000 Hz");
     app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
     app->add_option("--cameras", arguments->cameras, "how many the ring has")
         ->check(in_range(2, 32));

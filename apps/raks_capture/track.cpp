@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/film_step.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
@@ -20,6 +23,7 @@ struct TrackArguments {
     Path folder;
     Path labels;  ///< empty: labels.tsv of the folder
     Path truth;   ///< folder with tracks.csv; empty: none
+    std::string colour = "normalised";
     double sigma = 1.0;
     double acceleration = 20.0;
     double smoothing = 12.0;
@@ -81,6 +85,10 @@ std::string summary_of(const capture::Tracks& tracks) {
         tracks.flags.size());
 }
 
+capture::ChromaForm form_named(std::string_view name) {
+    return name == "crcb" ? capture::ChromaForm::crcb : capture::ChromaForm::normalised;
+}
+
 ExitCode track(const TrackArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -89,9 +97,11 @@ ExitCode track(const TrackArguments& arguments) {
     const auto rig = load_capture_rig(*plan);
     const auto markers = load_markers(*plan);
     const auto clocks = load_clocks(*plan);
-    const auto seen = load_observations(*plan);
     const auto labels =
         load_labels(arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels);
+    const Expected<capture::Observations> seen =
+        markers && labels ? seen_by_cameras(*plan, *markers, *labels, form_named(arguments.colour))
+                          : fail(markers ? labels.error() : markers.error());
     const auto edits = load_edits(*plan);
     for (const Error* const error : {rig ? nullptr : &rig.error(),
                                      markers ? nullptr : &markers.error(),
@@ -130,6 +140,8 @@ void add_track(CommandTable& table) {
         table.app(), "track", "follow the markers through all films", &track);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("--labels", arguments->labels, "which marker is where in first pictures (TSV)");
+    app->add_option("--colour", arguments->colour, "how colours are told apart")
+        ->check(CLI::IsMember({"normalised", "crcb"}));
     app->add_option("--sigma", arguments->sigma, "error of a point in a picture, pixels")
         ->check(in_range(0.01, 20.0));
     app->add_option("--acceleration", arguments->acceleration, "of markers when followed, m/s^2")
