@@ -34,11 +34,11 @@ constexpr std::array<std::string_view, 5> kFiveColours = {
     "green", "blue", "yellow", "magenta", "cyan"};
 
 constexpr std::array<ShippedMarker, 12> kShipped = {{
-    {"head", Bone::head, {0.0, 0.230, 0.0}, 0, -1},
+    {"head", Bone::head, {0.0, 0.255, 0.0}, 0, -1},
     {"c7", Bone::upper_chest, {0.0, 0.165, -0.090}, 1, -1},
     {"sternum", Bone::upper_chest, {0.0, 0.080, 0.115}, 2, -1},
     {"sacrum", Bone::hips, {0.0, 0.040, -0.120}, 2, -1},
-    {"shoulder", Bone::left_shoulder, {0.125, 0.050, -0.020}, 3, 4},
+    {"shoulder", Bone::left_shoulder, {0.125, 0.072, -0.020}, 3, 4},
     {"waist", Bone::hips, {0.115, 0.070, 0.085}, 0, 1},
     {"elbow", Bone::left_lower_arm, {0.0, 0.050, 0.0}, 4, 3},
     {"wrist", Bone::left_lower_arm, {0.225, 0.040, 0.0}, 1, 0},
