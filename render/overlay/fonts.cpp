@@ -41,6 +41,10 @@ ImFont* add_font(ImFontAtlas& atlas, FontFace face, float pixels, Glyphs glyphs,
     if (font == nullptr) {
         ImFontConfig usual;
         usual.SizePixels = pixels;
+        // Its pixels are whole ones, and whoever reads them from the texture counts on that.
+        usual.OversampleH = 1;
+        usual.OversampleV = 1;
+        usual.PixelSnapH = true;
         font = atlas.AddFontDefault(&usual);
     }
     return font;
