@@ -74,6 +74,7 @@ void add_capture_commands(RaksCommands& table) {
         {"run", "do every step that is missing or older than what it is made from"},
         {"simulate", "film a known dance with cameras that there are not"},
         {"sync", "tell the clocks of the films by their sound"},
+        {"label", "say which marker is where in first pictures"},
         {"track", "follow the markers through all films"},
         {"report", "show what came of a capture, as a page"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");

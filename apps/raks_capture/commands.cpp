@@ -9,6 +9,7 @@ void add_commands(CommandTable& table) {
     add_run(table);
     add_simulate(table);
     add_sync(table);
+    add_label(table);
     add_track(table);
     add_solve(table);
     add_report(table);

@@ -71,9 +71,9 @@ Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
     if (!root || !tracks) {
         return fail(root ? tracks.error() : root.error());
     }
-    const auto offset = (*root)["offset"].value<double>();
+    const auto begins = (*root)["begins"].value<double>();
     const double drift = (*root)["drift_ppm"].value_or(0.0);
-    return offset ? std::optional(*offset + tracks->first_time / (1.0 + drift * 1e-6)) : offset;
+    return begins ? std::optional((tracks->first_time - *begins) / (1.0 + drift * 1e-6)) : begins;
 }
 
 // A word of a command line that a shell takes as one.
