@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
@@ -28,10 +29,7 @@ ExitCode run_step(const CaptureStep& step, const Path& folder) {
     CommandTable table("", "raks capture");
     add_commands(table);
     // CLI11 takes the words from the last to the first.
-    std::vector<std::string> words = {step.command, folder.string()};
-    words.insert(words.end(), step.arguments.begin(), step.arguments.end());
-    std::reverse(words.begin(), words.end());
-    table.app().parse(std::move(words));
+    table.app().parse(std::vector<std::string>{folder.string(), step.command});
     return table.chosen()();
 }
 
