@@ -76,7 +76,9 @@ void add_capture_commands(RaksCommands& table) {
         {"sync", "tell the clocks of the films by their sound"},
         {"label", "say which marker is where in first pictures"},
         {"track", "follow the markers through all films"},
-        {"report", "show what came of a capture, as a page"}};
+        {"solve", "find the dancer's body and its dance in the tracks"},
+        {"report", "show what came of a capture, as a page"},
+        {"compare", "how far two motions of the same dance are apart"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");
     add_commands_of(table, *capture, "raks-capture", kCommands);
 }

@@ -68,7 +68,7 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         "track", joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
     CaptureStep solve{"solve",
                       joined(files_of(plan, {"capture.toml", "tracks.csv"}), markers),
-                      files_of(plan, {"dance.bvh"})};
+                      files_of(plan, {"dance.bvh", "body.toml"})};
     CaptureStep report{
         "report",
         files_of(

@@ -55,6 +55,7 @@ TEST_F(CaptureSteps, are_to_be_done_where_their_output_is_missing_or_older_than_
     put("tracks.csv", 1);
     EXPECT_EQ(state("solve"), StepState::missing);
     put("dance.bvh", 1);
+    put("body.toml", 2);
     EXPECT_EQ(state("solve"), StepState::up_to_date);
     put("tracks.csv", 2);
     EXPECT_EQ(state("solve"), StepState::outdated);

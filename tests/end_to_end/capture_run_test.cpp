@@ -45,7 +45,9 @@ TEST_F(CaptureRun, does_what_is_missing_or_outdated_and_nothing_else) {
     EXPECT_TRUE(says(first, "raks: track: to be done")) << first.err;
     EXPECT_TRUE(says(first, "raks: report: to be done")) << first.err;
     EXPECT_TRUE(has("tracks.csv"));
+    EXPECT_TRUE(has("dance.bvh"));
     EXPECT_TRUE(has("report.html"));
+    EXPECT_EQ(first.out, "raks train figure " + path("take") + "/dance.bvh -o mine\n");
 
     const auto again = run({"run", path("take")});
     EXPECT_EQ(again.exit_code, 0) << again.err;
