@@ -73,6 +73,8 @@ void add_capture_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {
         {"run", "do every step that is missing or older than what it is made from"},
         {"simulate", "film a known dance with cameras that there are not"},
+        {"board", "draw the board that calibrates the cameras, to print"},
+        {"calibrate", "find lenses and places of the cameras by a board"},
         {"sync", "tell the clocks of the films by their sound"},
         {"label", "say which marker is where in first pictures"},
         {"track", "follow the markers through all films"},

@@ -4,10 +4,10 @@ namespace raks::apps {
 
 void add_commands(CommandTable& table) {
     table.app().require_subcommand(1);
-    add_board(table);
-    add_calibrate(table);
     add_run(table);
     add_simulate(table);
+    add_board(table);
+    add_calibrate(table);
     add_sync(table);
     add_label(table);
     add_track(table);
