@@ -73,9 +73,14 @@ void add_capture_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {
         {"run", "do every step that is missing or older than what it is made from"},
         {"simulate", "film a known dance with cameras that there are not"},
+        {"board", "draw the board that calibrates the cameras, to print"},
+        {"calibrate", "find lenses and places of the cameras by a board"},
         {"sync", "tell the clocks of the films by their sound"},
+        {"label", "say which marker is where in first pictures"},
         {"track", "follow the markers through all films"},
-        {"report", "show what came of a capture, as a page"}};
+        {"solve", "find the dancer's body and its dance in the tracks"},
+        {"report", "show what came of a capture, as a page"},
+        {"compare", "how far two motions of the same dance are apart"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");
     add_commands_of(table, *capture, "raks-capture", kCommands);
 }

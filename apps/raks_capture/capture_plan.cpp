@@ -182,7 +182,7 @@ std::string capture_plan_text(const CapturePlan& plan) {
     }
     text += fmt::format("frames_per_second = {}\n", plan.frames_per_second);
     if (plan.start) {
-        text += fmt::format("start = {}\n", *plan.start);
+        text += fmt::format("start = {}\n", *plan.start + 0.0);
     }
     text += board_text(plan.board);
     for (const PlannedCamera& camera : plan.cameras) {

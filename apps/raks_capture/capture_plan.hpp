@@ -31,10 +31,17 @@ struct PlannedCamera {
 ///     music = "song.mp3"            # left out: none
 ///     markers = "markers.toml"      # left out: the shipped set
 ///     frames_per_second = 60.0      # of the dance that comes out; left out: 60
-///     start = 0.0                   # capture time of its first frame; left out: as soon as all
-///     see [board] kind = "charuco"              # or "chessboard" columns = 8 rows = 6 square =
-///     0.08                 # metres marker = 0.06                 # metres dictionary =
-///     "DICT_4X4_1000" inverted = false
+///     start = 0.0                   # capture time of its first frame; left out: the earliest
+///
+///     [board]
+///     kind = "charuco"              # or "chessboard"
+///     columns = 8
+///     rows = 6
+///     square = 0.08                 # metres
+///     marker = 0.06                 # metres
+///     dictionary = "DICT_4X4_1000"
+///     inverted = false
+///
 ///     [[camera]]
 ///     name = "left"
 ///     film = "left.mp4"

@@ -50,18 +50,14 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         markers.push_back(plan.file(plan.markers));
     }
     std::vector<Path> heard = films;
-    std::vector<std::string> song;
     if (!plan.music.empty()) {
         heard.push_back(plan.file(plan.music));
-        song = {"--music", plan.file(plan.music).string()};
     }
     CaptureStep calibrate{"calibrate",
-                          {},
                           joined(boards, files_of(plan, {"capture.toml"})),
                           files_of(plan, {"rig.toml"}),
                           !boards.empty()};
     CaptureStep sync{"sync",
-                     std::move(song),
                      joined(heard, files_of(plan, {"capture.toml"})),
                      files_of(plan, {"clocks.toml"}),
                      !films.empty()};
@@ -69,14 +65,12 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         files_of(plan, {"capture.toml", "rig.toml", "clocks.toml", "labels.tsv", "edits.jsonl"});
     const std::vector<Path> seen = films.empty() ? files_of(plan, {"detections.csv"}) : films;
     CaptureStep track{
-        "track", {}, joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
+        "track", joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
     CaptureStep solve{"solve",
-                      {},
                       joined(files_of(plan, {"capture.toml", "tracks.csv"}), markers),
-                      files_of(plan, {"dance.bvh"})};
+                      files_of(plan, {"dance.bvh", "body.toml"})};
     CaptureStep report{
         "report",
-        {},
         files_of(
             plan,
             {"rig.toml", "clocks.toml", "tracks.csv", "flags.tsv", "edits.jsonl", "dance.bvh"}),

@@ -11,8 +11,7 @@ namespace raks::apps {
 
 /// One step from films to a dance: a command on the folder of a capture.
 struct CaptureStep {
-    std::string command;                 ///< "track"
-    std::vector<std::string> arguments;  ///< that follow the folder
+    std::string command;  ///< "track"
     /// Files and folders that it reads; those that are not there do not count.
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;  ///< what it makes

@@ -4,11 +4,12 @@ namespace raks::apps {
 
 void add_commands(CommandTable& table) {
     table.app().require_subcommand(1);
-    add_board(table);
-    add_calibrate(table);
     add_run(table);
     add_simulate(table);
+    add_board(table);
+    add_calibrate(table);
     add_sync(table);
+    add_label(table);
     add_track(table);
     add_solve(table);
     add_report(table);

@@ -16,6 +16,8 @@ void add_board(CommandTable& table);
 void add_calibrate(CommandTable& table);
 /// Adds `run`.
 void add_run(CommandTable& table);
+/// Adds `label`.
+void add_label(CommandTable& table);
 /// Adds `report`.
 void add_report(CommandTable& table);
 /// Adds `simulate`.

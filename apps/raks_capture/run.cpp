@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
@@ -28,10 +29,7 @@ ExitCode run_step(const CaptureStep& step, const Path& folder) {
     CommandTable table("", "raks capture");
     add_commands(table);
     // CLI11 takes the words from the last to the first.
-    std::vector<std::string> words = {step.command, folder.string()};
-    words.insert(words.end(), step.arguments.begin(), step.arguments.end());
-    std::reverse(words.begin(), words.end());
-    table.app().parse(std::move(words));
+    table.app().parse(std::vector<std::string>{folder.string(), step.command});
     return table.chosen()();
 }
 
@@ -71,9 +69,9 @@ Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
     if (!root || !tracks) {
         return fail(root ? tracks.error() : root.error());
     }
-    const auto offset = (*root)["offset"].value<double>();
+    const auto begins = (*root)["begins"].value<double>();
     const double drift = (*root)["drift_ppm"].value_or(0.0);
-    return offset ? std::optional(*offset + tracks->first_time / (1.0 + drift * 1e-6)) : offset;
+    return begins ? std::optional((tracks->first_time - *begins) / (1.0 + drift * 1e-6)) : begins;
 }
 
 // A word of a command line that a shell takes as one.

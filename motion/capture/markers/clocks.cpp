@@ -50,8 +50,8 @@ std::string clocks_text(const std::vector<Clock>& clocks) {
         text +=
             fmt::format("\n[[clock]]\ncamera = {}\noffset = {}\ndrift_ppm = {}\nconfidence = {}\n",
                         toml_quoted(clock.camera),
-                        clock.offset,
-                        clock.drift_ppm,
+                        clock.offset + 0.0,  // no -0, which would be read as a whole number
+                        clock.drift_ppm + 0.0,
                         clock.confidence);
     }
     return text;
@@ -72,7 +72,8 @@ Expected<std::vector<Clock>> read_clocks(std::string_view text, const std::strin
         complaints.complain("version must be 1; is Raks older than the file?");
     }
     std::vector<Clock> clocks;
-    if (const toml::array* const tables = (*root)["clock"].as_array()) {
+    const toml::array* const tables = (*root)["clock"].as_array();
+    if (tables != nullptr && !tables->empty()) {
         for (const toml::node& node : *tables) {
             if (const toml::table* const table = node.as_table()) {
                 clocks.push_back(read_clock(*table, clocks, complaints));

@@ -178,9 +178,9 @@ std::string marker_set_text(const MarkerSet& set) {
             toml_quoted(marker.name),
             toml_quoted(marker.colour),
             motion::kBoneNames[motion::index_of(marker.bone)],
-            marker.place.x,
-            marker.place.y,
-            marker.place.z);
+            marker.place.x + 0.0,  // no -0, which would be read as a whole number
+            marker.place.y + 0.0,
+            marker.place.z + 0.0);
     }
     return text;
 }

@@ -1,0 +1,73 @@
+// `raks capture label`: which marker is where in first pictures.
+
+#include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/label_checks.hpp"
+#include "apps/terminal/say.hpp"
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
+
+namespace raks::apps {
+namespace {
+
+/// Arguments of `raks capture label`.
+struct LabelArguments {
+    Path folder;
+    Path labels;
+};
+
+// What is there of a file that a step before may have made.
+template <typename Load>
+auto loaded_if_there(const Path& file, const Load& load) {
+    using Loaded = decltype(load());
+    return is_there(file) ? load() : Loaded(typename Loaded::value_type{});
+}
+
+ExitCode label_capture(const LabelArguments& arguments) {
+    const auto plan = load_capture_plan(arguments.folder);
+    if (!plan) {
+        return fail(plan.error());
+    }
+    const auto markers = load_markers(*plan);
+    const auto labels = load_labels(arguments.labels);
+    const auto rig =
+        loaded_if_there(plan->file("rig.toml"), [&plan] { return load_capture_rig(*plan); });
+    const auto clocks =
+        loaded_if_there(plan->file("clocks.toml"), [&plan] { return load_clocks(*plan); });
+    const auto seen =
+        loaded_if_there(plan->file("detections.csv"), [&plan] { return load_observations(*plan); });
+    for (const Error* const error : {markers ? nullptr : &markers.error(),
+                                     labels ? nullptr : &labels.error(),
+                                     rig ? nullptr : &rig.error(),
+                                     clocks ? nullptr : &clocks.error(),
+                                     seen ? nullptr : &seen.error()}) {
+        if (error != nullptr) {
+            return fail(*error);
+        }
+    }
+    const auto doubts = check_labels(*labels,
+                                     {*plan,
+                                      *markers,
+                                      rig->cameras.empty() ? nullptr : &*rig,
+                                      seen->films.empty() ? nullptr : &*seen,
+                                      *clocks});
+    if (!doubts) {
+        return fail(Error(doubts.error()).in(arguments.labels.string()));
+    }
+    for (const std::string& doubt : *doubts) {
+        say(arguments.labels.string() + ": " + doubt);
+    }
+    return exit_code_of(write_file(plan->file("labels.tsv"), capture::labels_text(*labels)));
+}
+
+}  // namespace
+
+void add_label(CommandTable& table) {
+    const auto [app, arguments] = table.add<LabelArguments>(
+        table.app(), "label", "say which marker is where in first pictures", &label_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--labels", arguments->labels, "table of labels (TSV), checked and taken over")
+        ->required();
+}
+
+}  // namespace raks::apps

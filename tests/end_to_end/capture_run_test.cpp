@@ -1,0 +1,85 @@
+// `raks capture run` on a take of the test studio.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CaptureRun : public ProgramTest {
+ protected:
+    CaptureRun() {
+        const auto made =
+            run({"simulate",
+                 (fs::path(RAKS_SOURCE_DIR) / "tests/data/bvh/dance/own_dance.bvh").string(),
+                 "--points",
+                 "-o",
+                 path("take")});
+        EXPECT_EQ(made.exit_code, 0) << made.err;
+    }
+
+    [[nodiscard]] bool has(const std::string& file) const {
+        return fs::exists(folder_ / "take" / file);
+    }
+    /// As if the file had been made an hour ago.
+    void make_old(const std::string& file) const {
+        const fs::path made = folder_ / "take" / file;
+        fs::last_write_time(made, fs::last_write_time(made) - std::chrono::hours(1));
+    }
+};
+
+bool says(const ProcessResult& result, const std::string& part) {
+    return result.err.find(part) != std::string::npos;
+}
+
+TEST_F(CaptureRun, does_what_is_missing_or_outdated_and_nothing_else) {
+    const auto first = run({"run", path("take")});
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_TRUE(says(first, "raks: sync: given")) << first.err;
+    EXPECT_TRUE(says(first, "raks: track: to be done")) << first.err;
+    EXPECT_TRUE(says(first, "raks: report: to be done")) << first.err;
+    EXPECT_TRUE(has("tracks.csv"));
+    EXPECT_TRUE(has("dance.bvh"));
+    EXPECT_TRUE(has("report.html"));
+    EXPECT_EQ(first.out, "raks train figure " + path("take") + "/dance.bvh -o mine\n");
+
+    const auto again = run({"run", path("take")});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(says(again, "raks: track: up to date")) << again.err;
+    EXPECT_TRUE(says(again, "raks: report: up to date")) << again.err;
+
+    make_old("tracks.csv");
+    const auto outdated = run({"run", path("take")});
+    EXPECT_EQ(outdated.exit_code, 0) << outdated.err;
+    EXPECT_TRUE(says(outdated, "raks: track: something that it is made from has changed"));
+    EXPECT_TRUE(says(outdated, "raks: report: something that it is made from has changed"));
+}
+
+TEST_F(CaptureRun, ends_with_the_step_that_cannot_be_done) {
+    fs::remove(folder_ / "take" / "labels.tsv");
+    const auto result = run({"run", path("take")});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(says(result, "labels.tsv: is not there; run raks capture label first"))
+        << result.err;
+    EXPECT_FALSE(has("tracks.csv"));
+    EXPECT_FALSE(has("report.html"));
+}
+
+TEST_F(CaptureRun, reports_of_what_there_is_so_far) {
+    const auto result = run({"report", path("take"), "-o", path("page.html")});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(fs::exists(path("page.html")));
+    expect_one_line({"report", path("take"), "--truth", path("take") + "/truth"},
+                    1,
+                    "has no tracks to compare");
+    expect_one_line({"run", path("nowhere")}, 1, "no capture: it has no capture.toml");
+}
+
+}  // namespace
+}  // namespace raks::test
