@@ -40,6 +40,13 @@ std::vector<Path> joined(std::vector<Path> one, const std::vector<Path>& other) 
     return one;
 }
 
+// Whether the films of the dance are those of the board, too.
+bool shows_both(const CapturePlan& plan) {
+    return std::all_of(plan.cameras.begin(), plan.cameras.end(), [](const PlannedCamera& camera) {
+        return !camera.film.empty() && camera.film == camera.calibration;
+    });
+}
+
 }  // namespace
 
 std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
@@ -54,10 +61,12 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         heard.push_back(plan.file(plan.music));
     }
     CaptureStep calibrate{"calibrate",
+                          {},
                           joined(boards, files_of(plan, {"capture.toml"})),
                           files_of(plan, {"rig.toml"}),
                           !boards.empty()};
     CaptureStep sync{"sync",
+                     {},
                      joined(heard, files_of(plan, {"capture.toml"})),
                      files_of(plan, {"clocks.toml"}),
                      !films.empty()};
@@ -65,16 +74,23 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         files_of(plan, {"capture.toml", "rig.toml", "clocks.toml", "labels.tsv", "edits.jsonl"});
     const std::vector<Path> seen = films.empty() ? files_of(plan, {"detections.csv"}) : films;
     CaptureStep track{
-        "track", joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
+        "track", {}, joined(joined(followed, seen), markers), files_of(plan, {"tracks.csv"})};
     CaptureStep solve{"solve",
+                      {},
                       joined(files_of(plan, {"capture.toml", "tracks.csv"}), markers),
                       files_of(plan, {"dance.bvh", "body.toml"})};
     CaptureStep report{
         "report",
+        {},
         files_of(
             plan,
             {"rig.toml", "clocks.toml", "tracks.csv", "flags.tsv", "edits.jsonl", "dance.bvh"}),
         files_of(plan, {"report.html"})};
+    if (shows_both(plan)) {
+        calibrate.arguments = {"--clocks", plan.file("clocks.toml").string()};
+        calibrate.inputs.push_back(plan.file("clocks.toml"));
+        std::swap(calibrate, sync);
+    }
     return {std::move(calibrate),
             std::move(sync),
             std::move(track),

@@ -11,7 +11,8 @@ namespace raks::apps {
 
 /// One step from films to a dance: a command on the folder of a capture.
 struct CaptureStep {
-    std::string command;  ///< "track"
+    std::string command;                 ///< "track"
+    std::vector<std::string> arguments;  ///< that follow the folder
     /// Files and folders that it reads; those that are not there do not count.
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;  ///< what it makes
@@ -19,7 +20,8 @@ struct CaptureStep {
     bool has_source = true;
 };
 
-/// The steps of a capture, in order: calibrate, sync, track, solve, report.
+/// The steps of a capture, in order: calibrate, sync, track, solve, report. Where each film shows
+/// board and dance, its clock is that of both: sync comes first, and calibrate takes clocks.toml.
 [[nodiscard]] std::vector<CaptureStep> capture_steps(const CapturePlan& plan);
 
 /// What is to be done about a step.

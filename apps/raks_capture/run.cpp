@@ -29,7 +29,10 @@ ExitCode run_step(const CaptureStep& step, const Path& folder) {
     CommandTable table("", "raks capture");
     add_commands(table);
     // CLI11 takes the words from the last to the first.
-    table.app().parse(std::vector<std::string>{folder.string(), step.command});
+    std::vector<std::string> words = {step.command, folder.string()};
+    words.insert(words.end(), step.arguments.begin(), step.arguments.end());
+    std::reverse(words.begin(), words.end());
+    table.app().parse(std::move(words));
     return table.chosen()();
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/pending_file.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -86,6 +87,20 @@ TEST_F(CaptureSteps, leave_a_rig_and_clocks_alone_that_there_is_nothing_to_make_
     plan_.cameras[1].film = "right.mp4";
     EXPECT_EQ(state("calibrate"), StepState::outdated);
     EXPECT_EQ(state("sync"), StepState::outdated);
+}
+
+TEST_F(CaptureSteps, take_the_clocks_of_films_that_show_board_and_dance) {
+    for (PlannedCamera& camera : plan_.cameras) {
+        camera.film = camera.calibration = camera.name + ".mp4";
+    }
+    const auto steps = capture_steps(plan_);
+    EXPECT_EQ(steps[0].command, "sync");
+    EXPECT_EQ(steps[1].command, "calibrate");
+    EXPECT_EQ(steps[1].arguments,
+              (std::vector<std::string>{"--clocks", plan_.file("clocks.toml").string()}));
+    put("rig.toml", 1);
+    put("clocks.toml", 2);
+    EXPECT_EQ(state("calibrate"), StepState::outdated);
 }
 
 TEST_F(CaptureSteps, hear_the_song_beside_the_films) {
