@@ -333,8 +333,8 @@ std::string body_section(const CaptureReport& report) {
                foot_row("left", body.left) + foot_row("right", body.right) + end_table();
     return section +
            "</div>\n<p class=\"sub\">A foot counts as planted where its ball is within 2 cm of its "
-           "usual lowest place, also where it glides there. Half of the time it should be below 0.1 m/s "
-           "over the floor.</p>\n";
+           "usual lowest place, also where it glides there. Half of the time it should be below "
+           "0.1 m/s over the floor.</p>\n";
 }
 
 }  // namespace
