@@ -51,6 +51,7 @@ FootFacts foot_facts(const std::vector<glm::dvec3>& balls,
                      double frames_per_second) {
     constexpr double kPlantedWithin = 0.02;  // metres
     std::vector<double> heights;
+    heights.reserve(balls.size());
     for (const glm::dvec3& ball : balls) {
         heights.push_back(ball.y);
     }

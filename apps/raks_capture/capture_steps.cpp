@@ -29,6 +29,7 @@ std::vector<Path> films_of(const CapturePlan& plan, Path PlannedCamera::*film) {
 
 std::vector<Path> files_of(const CapturePlan& plan, const std::vector<const char*>& names) {
     std::vector<Path> files;
+    files.reserve(names.size());
     for (const char* const name : names) {
         files.push_back(plan.file(name));
     }

@@ -157,7 +157,7 @@ const std::vector<std::uint8_t>& FilmedPicture::develop(const Sensor& sensor, Di
     const auto noise = static_cast<float>(sensor.noise);
     auto at = static_cast<std::size_t>(dice.whole(0, static_cast<int>(kNoiseNumbers) - 1));
     // An odd step through the numbers, so that rows of a picture are not alike.
-    const auto step = static_cast<std::size_t>(2 * dice.whole(1, 2000) + 1);
+    const std::size_t step = 2 * static_cast<std::size_t>(dice.whole(1, 2000)) + 1;
     for (std::size_t i = 0; i < light_.size(); ++i) {
         const float light = std::clamp(light_[i] * factor[i % 3], 0.0F, 1.0F);
         const float level = kLevel[static_cast<std::size_t>(std::sqrt(light) * kLightSteps)];

@@ -1,16 +1,19 @@
 // The program raks-capture, started by `raks capture`. It is a program of its own since it alone
 // needs OpenCV and Ceres, which the dancing program should not load.
+#include <memory>
+
 #include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/program.hpp"
 
 int main(int argc, char** argv) {
     using namespace raks::apps;
-    CommandTable table("get a dance from several films", "raks capture");
+    std::unique_ptr<CommandTable> table;  // made where exceptions become errors
     return run_program([&table, argc, argv]() -> ParsedCommand {
-        add_commands(table);
-        if (const auto ended = read_usage(table.app(), argc, argv)) {
+        table = std::make_unique<CommandTable>("get a dance from several films", "raks capture");
+        add_commands(*table);
+        if (const auto ended = read_usage(table->app(), argc, argv)) {
             return {nullptr, *ended};
         }
-        return {table.chosen(), kExitDone};
+        return {table->chosen(), kExitDone};
     });
 }

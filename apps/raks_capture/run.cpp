@@ -120,7 +120,7 @@ ExitCode run_capture(const RunArguments& arguments) {
         if (state == StepState::up_to_date || state == StepState::given) {
             continue;
         }
-        const ExitCode ended = run_step(step, plan->folder);
+        ExitCode ended = run_step(step, plan->folder);
         if (!ended || stop_signal()) {
             return ended ? ExitCode(exit_code_after_signals(*ended)) : ended;
         }
