@@ -14,8 +14,8 @@ namespace raks::audio {
 namespace {
 
 constexpr double kCoarse = SyncTrack::kCoarseRate;
-constexpr std::size_t kChunk = 10 * SyncTrack::kCoarseRate;
-constexpr std::size_t kShortestChunk = 5 * SyncTrack::kCoarseRate;
+constexpr std::size_t kChunk = std::size_t{10} * SyncTrack::kCoarseRate;
+constexpr std::size_t kShortestChunk = std::size_t{5} * SyncTrack::kCoarseRate;
 constexpr std::size_t kMostChunks = 12;
 constexpr std::size_t kBlock = std::size_t{1} << 18U;  // of the whole that is searched at once
 // A drift smears a peak; low frequencies bear more of it. Above, rooms differ more anyway.

@@ -135,6 +135,7 @@ class Alignment {
         }
         WindowPeaks peaks(part_.fine(), whole_.fine());
         std::vector<Measured> all;
+        all.reserve(coarse.size());
         for (const CoarseAlignment& one : coarse) {
             all.push_back(measure(peaks, one.line, kRoughTolerance));
         }
