@@ -165,8 +165,8 @@ std::vector<std::vector<std::size_t>> match_spots(
     std::sort(pairs.begin(), pairs.end());
     std::vector<std::vector<std::size_t>> matched(beliefs.size());
     for (const auto& [distance, marker, spot] : pairs) {
-        const auto has_camera = [&](std::size_t other) {
-            return spots[other].camera == spots[spot].camera;
+        const auto has_camera = [&spots, camera = spots[spot].camera](std::size_t other) {
+            return spots[other].camera == camera;
         };
         if (!spots[spot].is_used &&
             std::none_of(matched[marker].begin(), matched[marker].end(), has_camera)) {

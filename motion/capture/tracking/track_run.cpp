@@ -318,8 +318,8 @@ std::vector<TrackedMarker> run_tracker(const TrackRunInput& input,
     std::vector<TrackedMarker> result;
     result.reserve(frame_count * input.classes.size());
     for (std::size_t frame = 0; frame < frame_count; ++frame) {
-        for (TrackedMarker& marker : run.advance(frame)) {
-            result.push_back(std::move(marker));
+        for (const TrackedMarker& marker : run.advance(frame)) {
+            result.push_back(marker);
         }
     }
     return result;
