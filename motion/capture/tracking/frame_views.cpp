@@ -44,7 +44,7 @@ std::optional<Expectation> expectation_of(const Camera& camera,
 
 // The unused spot of a camera that is nearest to a place's projection, and not further than so.
 std::optional<std::size_t> nearest_spot(const Rig& rig,
-                                        const std::vector<Spot>& spots,
+                                        const std::vector<SeenSpot>& spots,
                                         std::size_t camera,
                                         std::size_t colour,
                                         const glm::dvec3& place,
@@ -65,7 +65,7 @@ std::optional<std::size_t> nearest_spot(const Rig& rig,
 
 // The spots of all cameras that agree with a pair's place, and where they put it.
 std::optional<SpotAgreement> grown(const Rig& rig,
-                                   const std::vector<Spot>& spots,
+                                   const std::vector<SeenSpot>& spots,
                                    std::size_t one,
                                    std::size_t other,
                                    double sigma) {
@@ -132,7 +132,7 @@ FrameViews::FrameViews(const Rig& rig,
     }
 }
 
-PointView view_of(const Spot& spot, const glm::dvec3& velocity) {
+PointView view_of(const SeenSpot& spot, const glm::dvec3& velocity) {
     return {spot.camera, spot.direction, spot.late * velocity, 1.0};
 }
 
@@ -142,7 +142,7 @@ std::vector<std::vector<std::size_t>> match_spots(
     const std::vector<std::size_t>& classes,
     double sigma,
     double gate,
-    std::vector<Spot>& spots) {
+    std::vector<SeenSpot>& spots) {
     constexpr double kFarthest = 0.1;  // 60 pixels at a focal length of 600
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -178,7 +178,7 @@ std::vector<std::vector<std::size_t>> match_spots(
 }
 
 std::vector<SpotAgreement> agreements(const Rig& rig,
-                                      const std::vector<Spot>& spots,
+                                      const std::vector<SeenSpot>& spots,
                                       std::size_t colour,
                                       double sigma,
                                       std::size_t least_views) {

@@ -13,7 +13,7 @@
 namespace raks::capture {
 
 /// A spot in the picture of one camera.
-struct Spot {
+struct SeenSpot {
     std::size_t camera = 0;
     std::size_t colour = 0;  ///< class of the markers that it may be
     glm::dvec2 pixel{};
@@ -46,14 +46,14 @@ class FrameViews {
                std::size_t frame_count);
 
     /// The spots of a frame; `is_used` is free to be set.
-    [[nodiscard]] std::vector<Spot>& at(std::size_t frame) noexcept { return spots_[frame]; }
+    [[nodiscard]] std::vector<SeenSpot>& at(std::size_t frame) noexcept { return spots_[frame]; }
 
  private:
-    std::vector<std::vector<Spot>> spots_;
+    std::vector<std::vector<SeenSpot>> spots_;
 };
 
 /// A spot as a view of a marker with this velocity.
-[[nodiscard]] PointView view_of(const Spot& spot, const glm::dvec3& velocity);
+[[nodiscard]] PointView view_of(const SeenSpot& spot, const glm::dvec3& velocity);
 
 /// The spots that markers are expected at: in each camera the pairs of a marker and a spot of its
 /// colour within `gate` (squared standard deviations, 2 degrees of freedom) and within 60 pixels at
@@ -65,7 +65,7 @@ class FrameViews {
     const std::vector<std::size_t>& classes,
     double sigma,
     double gate,
-    std::vector<Spot>& spots);
+    std::vector<SeenSpot>& spots);
 
 /// A place that unused spots of one colour agree on.
 struct SpotAgreement {
@@ -75,7 +75,7 @@ struct SpotAgreement {
 /// All places that unused spots of a colour in `least_views` or more cameras agree on, each within
 /// 3 sigma + 1 pixels; those that most cameras see first. A spot may be part of several.
 [[nodiscard]] std::vector<SpotAgreement> agreements(const Rig& rig,
-                                                    const std::vector<Spot>& spots,
+                                                    const std::vector<SeenSpot>& spots,
                                                     std::size_t colour,
                                                     double sigma,
                                                     std::size_t least_views);

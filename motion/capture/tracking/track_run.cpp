@@ -71,7 +71,7 @@ class TrackRun {
 
     // Places that a person said in two or more views.
     void take_said(std::size_t frame) {
-        std::vector<std::vector<Spot>> said(follows_.size());
+        std::vector<std::vector<SeenSpot>> said(follows_.size());
         for (const SaidView& view : input_.said) {
             if (view.frame == frame) {
                 said[view.marker].push_back(said_spot(view));
@@ -84,7 +84,7 @@ class TrackRun {
             std::vector<PointView> views;
             const Follow& follow = follows_[marker];
             const glm::dvec3 velocity = follow.belief ? follow.belief->velocity : glm::dvec3(0.0);
-            for (const Spot& spot : said[marker]) {
+            for (const SeenSpot& spot : said[marker]) {
                 views.push_back(view_of(spot, velocity));
             }
             add_matching_views(marker, said[marker], views);
@@ -95,17 +95,17 @@ class TrackRun {
     }
 
     // The spot that a person pointed to, which no other marker may have then, or the pixel itself.
-    Spot said_spot(const SaidView& view) {
+    SeenSpot said_spot(const SaidView& view) {
         const Camera& camera = input_.rig->cameras[view.camera];
-        Spot said{view.camera,
-                  input_.classes[view.marker],
-                  view.pixel,
-                  direction_of(camera.lens, view.pixel),
-                  view.late,
-                  true};
+        SeenSpot said{view.camera,
+                      input_.classes[view.marker],
+                      view.pixel,
+                      direction_of(camera.lens, view.pixel),
+                      view.late,
+                      true};
         double nearest = kSaidRadius;
-        Spot* meant = nullptr;
-        for (Spot& spot : *spots_) {
+        SeenSpot* meant = nullptr;
+        for (SeenSpot& spot : *spots_) {
             const double apart = glm::distance(spot.pixel, view.pixel);
             if (spot.camera == view.camera && spot.colour == said.colour && apart < nearest) {
                 nearest = apart;
@@ -121,7 +121,7 @@ class TrackRun {
 
     // Where one view was said only, those that the belief finds in the other cameras.
     void add_matching_views(std::size_t marker,
-                            const std::vector<Spot>& said,
+                            const std::vector<SeenSpot>& said,
                             std::vector<PointView>& views) {
         if (!follows_[marker].belief || said.size() > 1) {
             return;
@@ -304,9 +304,9 @@ class TrackRun {
 
     const TrackRunInput& input_;
     FrameViews& views_;
-    std::vector<Follow> follows_;         ///< by marker
-    std::vector<TrackedMarker> now_;      ///< by marker; of this frame
-    std::vector<Spot>* spots_ = nullptr;  ///< of this frame
+    std::vector<Follow> follows_;             ///< by marker
+    std::vector<TrackedMarker> now_;          ///< by marker; of this frame
+    std::vector<SeenSpot>* spots_ = nullptr;  ///< of this frame
 };
 
 }  // namespace
