@@ -26,7 +26,7 @@ class DancesReader {
 
     Expected<DancesFile> read(const toml::table& root) {
         constexpr std::array<std::string_view, 4> kKeys = {"format", "version", "pair", "dance"};
-        read_head(root);
+        complaints_.check_head(root, kDancesFormat, kDancesVersion);
         complaints_.check_keys(root, kKeys);
         DancesFile file;
         const toml::array* const dances = root["dance"].as_array();
@@ -48,18 +48,6 @@ class DancesReader {
     }
 
  private:
-    // A newer version may mean things that this program would misread, so it is refused.
-    void read_head(const toml::table& root) {
-        if (root["format"].value<std::string>() != std::string(kDancesFormat)) {
-            complaints_.complain(fmt::format("format must be \"{}\"", kDancesFormat));
-        }
-        const auto version = root["version"].value<std::int64_t>();
-        if (!version || *version < 1 || *version > kDancesVersion) {
-            complaints_.complain(fmt::format(
-                "version must be a number up to {}; is Raks older than the file?", kDancesVersion));
-        }
-    }
-
     // A list of texts; empty where the key is missing.
     std::vector<std::string> texts(const toml::table& table, std::string_view key) {
         std::vector<std::string> texts;

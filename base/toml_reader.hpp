@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,6 +66,19 @@ class TomlComplaints {
             if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
                 complain(value, unknown_name("key", key.str(), known));
             }
+        }
+    }
+
+    /// Complains where a file's `format` is another, or its `version` none from 1 to `newest`: a
+    /// newer one may mean things that this program would misread.
+    void check_head(const toml::table& root, std::string_view format, std::int64_t newest) {
+        if (root["format"].value<std::string>() != std::string(format)) {
+            complain(fmt::format("format must be \"{}\"", format));
+        }
+        const auto version = root["version"].value<std::int64_t>();
+        if (!version || *version < 1 || *version > newest) {
+            complain(fmt::format("version must be a number up to {}; is Raks older than the file?",
+                                 newest));
         }
     }
 

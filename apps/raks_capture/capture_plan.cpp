@@ -29,12 +29,7 @@ void read_head(const toml::table& root, TomlComplaints& complaints) {
                                                         "board",
                                                         "camera"};
     complaints.check_keys(root, kKeys);
-    if (root["format"].value<std::string>() != std::string(kPlanFormat)) {
-        complaints.complain(fmt::format("format must be \"{}\"", kPlanFormat));
-    }
-    if (root["version"].value<std::int64_t>() != 1) {
-        complaints.complain("version must be 1; is Raks older than the file?");
-    }
+    complaints.check_head(root, kPlanFormat, 1);
 }
 
 capture::Board read_board(const toml::table& table, TomlComplaints& complaints) {

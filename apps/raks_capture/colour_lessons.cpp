@@ -29,10 +29,7 @@ capture::PictureView view_of(const engine::FilmPicture& picture) {
 Expected<std::vector<engine::FilmPicture>> labelled_pictures(const CameraFilm& film,
                                                              const Lessons& lessons,
                                                              const DetectionOptions& options) {
-    const auto reader =
-        engine::FilmReader::open(film.path,
-                                 {.folder_pictures_per_second = options.folder_pictures_per_second,
-                                  .is_stop_requested = options.is_stop_requested});
+    const auto reader = open_film(film, options);
     if (!reader) {
         return fail(reader.error());
     }

@@ -102,10 +102,7 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
     if (!finder) {
         return fail("camera " + film.camera + ": " + finder.error().message);
     }
-    const auto reader =
-        engine::FilmReader::open(film.path,
-                                 {.folder_pictures_per_second = options.folder_pictures_per_second,
-                                  .is_stop_requested = options.is_stop_requested});
+    const auto reader = open_film(film, options);
     if (!reader) {
         return fail(reader.error());
     }
@@ -142,6 +139,14 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
 }
 
 }  // namespace
+
+Expected<std::unique_ptr<engine::FilmReader>> open_film(const CameraFilm& film,
+                                                        const DetectionOptions& options) {
+    return engine::FilmReader::open(
+        film.path,
+        {.folder_pictures_per_second = options.folder_pictures_per_second,
+         .is_stop_requested = options.is_stop_requested});
+}
 
 Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,
                                          const capture::MarkerSet& markers,

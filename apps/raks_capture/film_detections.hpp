@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/expected.hpp"
+#include "engine/films/film_reader.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -32,6 +34,10 @@ struct DetectionOptions {
     /// Asked before each picture; true ends the work with an error.
     std::function<bool()> is_stop_requested = [] { return false; };
 };
+
+/// Opens a film as they say. Errors: those of the reader.
+[[nodiscard]] Expected<std::unique_ptr<engine::FilmReader>> open_film(
+    const CameraFilm& film, const DetectionOptions& options);
 
 /// What was found in the films, and what is doubtful about it.
 struct FilmDetections {

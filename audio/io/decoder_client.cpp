@@ -86,7 +86,7 @@ bool DecoderClient::take_head() {
 }
 
 // Until something can be received, or its end shows.
-DecoderClient::Waited DecoderClient::wait() {
+Waited DecoderClient::wait() {
     const HostTime start = HostClock::now();
     HostTime alive = start;
     std::uint64_t beat = 0;
@@ -111,7 +111,7 @@ DecoderClient::Waited DecoderClient::wait() {
 }
 
 // The next message.
-DecoderClient::Waited DecoderClient::receive() {
+Waited DecoderClient::receive() {
     const Waited waited = wait();
     if (waited != Waited::answer) {
         return waited;
@@ -126,17 +126,7 @@ std::string DecoderClient::end(Waited why) {
     process_.reset();
     has_slot_ = false;
     is_at_end_ = true;
-    switch (why) {
-        case Waited::hung:
-            return "its decoder hung and was ended";
-        case Waited::stopped:
-            return "was stopped";
-        case Waited::answer:
-            return "its decoder answered nonsense and was ended";
-        case Waited::broke:
-            break;
-    }
-    return "its decoder broke off (" + how + ")";
+    return why_ended(why, how);
 }
 
 // The sound ends here, and the warning says why.

@@ -8,6 +8,7 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/io/decoder_process.hpp"
+#include "audio/io/decoder_spawn.hpp"
 
 namespace raks::audio {
 
@@ -34,8 +35,6 @@ class DecoderClient final : public AudioFileReader {
     [[nodiscard]] Expected<void> seek(std::int64_t frame) override;
 
  private:
-    enum class Waited : std::uint8_t { answer, broke, hung, stopped };
-
     DecoderClient(DecodedSource source, std::unique_ptr<DecoderProcess> process)
         : source_(std::move(source)), process_(std::move(process)) {}
     [[nodiscard]] Expected<void> start();

@@ -123,4 +123,18 @@ std::string end_child(pid_t pid) {
     return "exit code " + std::to_string(WEXITSTATUS(status));
 }
 
+std::string why_ended(Waited why, const std::string& how) {
+    switch (why) {
+        case Waited::hung:
+            return "its decoder hung and was ended";
+        case Waited::stopped:
+            return "was stopped";
+        case Waited::answer:
+            return "its decoder answered nonsense and was ended";
+        case Waited::broke:
+            break;
+    }
+    return "its decoder broke off (" + how + ")";
+}
+
 }  // namespace raks::audio

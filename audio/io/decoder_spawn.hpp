@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -26,5 +27,17 @@ struct DecoderStart {
 /// Kills a child and waits for its end; says how it ended, which may have been before: "killed by
 /// SIGSEGV" or "exit code 1". Threads: any. Real-time: no.
 std::string end_child(pid_t pid);
+
+/// What came of waiting for a child.
+enum class Waited : std::uint8_t {
+    answer,  ///< there is one
+    broke,   ///< it is gone
+    hung,    ///< it gave no sign of life for too long
+    stopped  ///< the caller no longer wants one
+};
+
+/// Why a child was ended, in words: "its decoder broke off (killed by SIGSEGV)". `why`: what came
+/// of waiting for it, an answer being one that is nonsense; `how`: of end_child.
+[[nodiscard]] std::string why_ended(Waited why, const std::string& how);
 
 }  // namespace raks::audio

@@ -13,7 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "audio/io/decoder_spawn.hpp"
 #include "base/program_parts.hpp"
 #include "base/time.hpp"
 
@@ -23,6 +22,7 @@ namespace {
 using audio::DecodeKind;
 using audio::Descriptor;
 using audio::Passed;
+using audio::Waited;
 
 constexpr Nanos kLongestWait = std::chrono::seconds(30);  // for a picture
 constexpr int kPollMilliseconds = 50;
@@ -84,7 +84,7 @@ FilmChild::~FilmChild() {
 }
 
 // Until something can be received, or its end shows.
-FilmChild::Waited FilmChild::wait(int descriptor) const {
+Waited FilmChild::wait(int descriptor) const {
     const HostTime start = HostClock::now();
     for (;;) {
         pollfd look{descriptor, POLLIN, 0};
@@ -100,7 +100,7 @@ FilmChild::Waited FilmChild::wait(int descriptor) const {
     }
 }
 
-FilmChild::Waited FilmChild::receive() {
+Waited FilmChild::receive() {
     const Waited waited = wait(socket_.number);
     if (waited != Waited::answer) {
         return waited;
@@ -109,7 +109,7 @@ FilmChild::Waited FilmChild::receive() {
                                                                            : Waited::broke;
 }
 
-FilmChild::Waited FilmChild::read_pixels(std::span<std::uint8_t> bytes) {
+Waited FilmChild::read_pixels(std::span<std::uint8_t> bytes) {
     while (!bytes.empty()) {
         if (const Waited waited = wait(pictures_.number); waited != Waited::answer) {
             return waited;
@@ -130,17 +130,7 @@ FilmChild::Waited FilmChild::read_pixels(std::span<std::uint8_t> bytes) {
 std::string FilmChild::end(Waited why) {
     const std::string how = audio::end_child(std::exchange(pid_, -1));
     has_film_ = false;
-    switch (why) {
-        case Waited::hung:
-            return "its decoder hung and was ended";
-        case Waited::stopped:
-            return "was stopped";
-        case Waited::answer:
-            return "its decoder answered nonsense and was ended";
-        case Waited::broke:
-            break;
-    }
-    return "its decoder broke off (" + how + ")";
+    return audio::why_ended(why, how);
 }
 
 Expected<FilmInfo> FilmChild::open(const std::filesystem::path& path) {

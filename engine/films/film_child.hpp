@@ -10,6 +10,7 @@
 #include <string>
 
 #include "audio/io/decode_protocol.hpp"
+#include "audio/io/decoder_spawn.hpp"
 #include "audio/io/descriptor.hpp"
 #include "engine/films/film_reader.hpp"
 
@@ -35,14 +36,12 @@ class FilmChild {
     [[nodiscard]] const std::string& warning() const noexcept { return warning_; }
 
  private:
-    enum class Waited : std::uint8_t { answer, broke, hung, stopped };
-
     FilmChild() = default;
-    [[nodiscard]] Waited wait(int descriptor) const;
-    [[nodiscard]] Waited receive();
-    [[nodiscard]] Waited read_pixels(std::span<std::uint8_t> bytes);
-    [[nodiscard]] std::string end(Waited why);
-    [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(Waited why);
+    [[nodiscard]] audio::Waited wait(int descriptor) const;
+    [[nodiscard]] audio::Waited receive();
+    [[nodiscard]] audio::Waited read_pixels(std::span<std::uint8_t> bytes);
+    [[nodiscard]] std::string end(audio::Waited why);
+    [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(audio::Waited why);
 
     pid_t pid_ = -1;
     audio::Descriptor socket_;

@@ -70,17 +70,7 @@ class DanceReader {
  private:
     // Format and version come first: an error in them explains all others.
     void read_head(const toml::table& root) {
-        if (root["format"].value<std::string>() != std::string(AuthoredDance::kFormat)) {
-            complaints_.complain(fmt::format("format must be \"{}\"", AuthoredDance::kFormat));
-            return;
-        }
-        const auto version = root["version"].value<std::int64_t>();
-        if (!version || *version < 1 || *version > AuthoredDance::kVersion) {
-            complaints_.complain(
-                fmt::format("version must be a number up to {}; is Raks older than the file?",
-                            AuthoredDance::kVersion));
-            return;
-        }
+        complaints_.check_head(root, AuthoredDance::kFormat, AuthoredDance::kVersion);
         complaints_.check_keys(root,
                                Names{"format",
                                      "version",

@@ -29,14 +29,7 @@ std::optional<Bone> bone_called(std::string_view name) {
 
 void read_map_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "joints"};
-    if (root["format"].value<std::string>() != std::string(kMapFormat)) {
-        complaints.complain(fmt::format("format must be \"{}\"", kMapFormat));
-    }
-    const auto version = root["version"].value<std::int64_t>();
-    if (!version || *version < 1 || *version > kMapVersion) {
-        complaints.complain(fmt::format(
-            "version must be a number up to {}; is Raks older than the file?", kMapVersion));
-    }
+    complaints.check_head(root, kMapFormat, kMapVersion);
     complaints.check_keys(root, kKeys);
 }
 

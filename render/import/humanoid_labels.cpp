@@ -17,14 +17,7 @@ constexpr std::int64_t kLabelVersion = 1;
 
 void read_label_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "bones"};
-    if (root["format"].value<std::string>() != std::string(kLabelFormat)) {
-        complaints.complain(fmt::format("format must be \"{}\"", kLabelFormat));
-    }
-    const auto version = root["version"].value<std::int64_t>();
-    if (!version || *version < 1 || *version > kLabelVersion) {
-        complaints.complain(fmt::format(
-            "version must be a number up to {}; is Raks older than the file?", kLabelVersion));
-    }
+    complaints.check_head(root, kLabelFormat, kLabelVersion);
     complaints.check_keys(root, kKeys);
 }
 

@@ -65,12 +65,7 @@ Expected<std::vector<Clock>> read_clocks(std::string_view text, const std::strin
     TomlComplaints complaints(file);
     constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "clock"};
     complaints.check_keys(*root, kKeys);
-    if ((*root)["format"].value<std::string>() != std::string(kClocksFormat)) {
-        complaints.complain(fmt::format("format must be \"{}\"", kClocksFormat));
-    }
-    if ((*root)["version"].value<std::int64_t>() != 1) {
-        complaints.complain("version must be 1; is Raks older than the file?");
-    }
+    complaints.check_head(*root, kClocksFormat, 1);
     std::vector<Clock> clocks;
     const toml::array* const tables = (*root)["clock"].as_array();
     if (tables != nullptr && !tables->empty()) {

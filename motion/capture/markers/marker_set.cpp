@@ -51,12 +51,7 @@ constexpr std::array<ShippedMarker, 12> kShipped = {{
 void read_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 4> kKeys = {"format", "version", "radius", "marker"};
     complaints.check_keys(root, kKeys);
-    if (root["format"].value<std::string>() != std::string(kSetFormat)) {
-        complaints.complain(fmt::format("format must be \"{}\"", kSetFormat));
-    }
-    if (root["version"].value<std::int64_t>() != 1) {
-        complaints.complain("version must be 1; is Raks older than the file?");
-    }
+    complaints.check_head(root, kSetFormat, 1);
 }
 
 void check_name(const toml::table& table,

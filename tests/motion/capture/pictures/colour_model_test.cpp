@@ -17,25 +17,6 @@ using test::kBackgrounds;
 using test::kPaints;
 using test::Light;
 
-// The five paints, each learnt from one sphere 41 pixels wide under one light.
-std::vector<ColourModel> learnt_models(ChromaForm form) {
-    Dice dice(1, 0);
-    const Light light{.towards = glm::normalize(glm::dvec3(0.4, 0.6, 0.7))};
-    std::vector<ColourModel> models;
-    for (const glm::dvec3& paint : kPaints) {
-        Canvas canvas(64, 64, glm::dvec3(0.2));
-        canvas.paint_sphere({32.0, 32.0}, 20.5, paint, light);
-        const auto rgb = canvas.filmed(light, dice);
-        const PictureView view = canvas.view(rgb);
-        const ColourPoint point{.picture = 0, .pixel = {30.0, 33.0}};
-        const auto model = learn_colour(std::span(&view, 1), std::span(&point, 1), form);
-        EXPECT_TRUE(model) << model.error().message;
-        models.push_back(model.value_or(ColourModel{}));
-        EXPECT_GT(models.back().area, 500.0);
-    }
-    return models;
-}
-
 double distance2_of(const std::uint8_t* rgb, const ColourModel& model) {
     const auto chroma = chroma_of(rgb, model.form);
     return chroma ? model.distance2(*chroma) : std::numeric_limits<double>::infinity();
@@ -50,7 +31,7 @@ struct Gate {
 
 // Spheres 41 pixels wide and backgrounds in drawn light.
 Gate gate_of(ChromaForm form, double least_gain, double most_gain) {
-    const std::vector<ColourModel> models = learnt_models(form);
+    const std::vector<ColourModel> models = test::learnt_paints(form, Light{}.ambient);
     Dice dice(2, 0);
     std::vector<double> background;
     std::vector<double> own;
@@ -132,7 +113,8 @@ TEST(ColourModel, plain_cr_and_cb_take_more_of_the_background) {
 }
 
 TEST(ColourModel, five_paints_lie_far_apart) {
-    const std::vector<ColourModel> models = learnt_models(ChromaForm::normalised);
+    const std::vector<ColourModel> models =
+        test::learnt_paints(ChromaForm::normalised, Light{}.ambient);
     for (std::size_t a = 0; a < models.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b) {
             EXPECT_GT(separation(models[a], models[b]), 6.0) << a << " " << b;

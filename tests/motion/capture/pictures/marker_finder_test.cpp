@@ -20,21 +20,6 @@ using test::Light;
 
 constexpr double kMissed = 100.0;  // pixels: the error of a marker that was not found
 
-std::vector<ColourModel> models_of(ChromaForm form, double ambient) {
-    Dice dice(1, 0);
-    const Light light{.towards = glm::normalize(glm::dvec3(0.4, 0.6, 0.7)), .ambient = ambient};
-    std::vector<ColourModel> models;
-    for (const glm::dvec3& paint : kPaints) {
-        Canvas canvas(64, 64, glm::dvec3(0.2));
-        canvas.paint_sphere({32.0, 32.0}, 20.5, paint, light);
-        const auto rgb = canvas.filmed(light, dice);
-        const PictureView view = canvas.view(rgb);
-        const ColourPoint point{.pixel = {32.0, 30.0}};
-        models.push_back(learn_colour(std::span(&view, 1), std::span(&point, 1), form).value());
-    }
-    return models;
-}
-
 // Distance of a found spot of this colour that lies nearest.
 double error_of(const std::vector<Spot>& spots, std::size_t colour, const glm::dvec2& centre) {
     double nearest = kMissed;
@@ -53,7 +38,7 @@ struct Errors {
 
 // Spheres 13 pixels wide before every background, in side light too.
 Errors centre_errors(ChromaForm form, double ambient) {
-    MarkerFinder finder = MarkerFinder::create(models_of(form, ambient)).value();
+    MarkerFinder finder = MarkerFinder::create(test::learnt_paints(form, ambient)).value();
     Dice dice(5, 0);
     std::vector<double> errors;
     for (int round = 0; round < 60; ++round) {
@@ -114,7 +99,8 @@ class Spots : public ::testing::Test {
                                : finder_.find(canvas.view(rgb), windows);
     }
 
-    MarkerFinder finder_ = MarkerFinder::create(models_of(ChromaForm::normalised, 0.25)).value();
+    MarkerFinder finder_ =
+        MarkerFinder::create(test::learnt_paints(ChromaForm::normalised, 0.25)).value();
 };
 
 TEST_F(Spots, have_a_centre_an_area_and_the_chroma_of_their_colour) {

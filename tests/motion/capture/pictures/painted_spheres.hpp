@@ -130,4 +130,20 @@ class Canvas {
     std::vector<glm::dvec3> light_;
 };
 
+/// The five paints, each learnt from one sphere 41 pixels wide under one light.
+inline std::vector<ColourModel> learnt_paints(ChromaForm form, double ambient) {
+    Dice dice(1, 0);
+    const Light light{.towards = glm::normalize(glm::dvec3(0.4, 0.6, 0.7)), .ambient = ambient};
+    std::vector<ColourModel> models;
+    for (const glm::dvec3& paint : kPaints) {
+        Canvas canvas(64, 64, glm::dvec3(0.2));
+        canvas.paint_sphere({32.0, 32.0}, 20.5, paint, light);
+        const auto rgb = canvas.filmed(light, dice);
+        const PictureView view = canvas.view(rgb);
+        const ColourPoint point{.picture = 0, .pixel = {32.0, 30.0}};
+        models.push_back(learn_colour(std::span(&view, 1), std::span(&point, 1), form).value());
+    }
+    return models;
+}
+
 }  // namespace raks::capture::test
