@@ -110,13 +110,18 @@ Expected<void> write_frames(const Path& output,
     config.columns = is_alone ? 1 : 12;
     config.tile_width = is_alone ? 720 : 180;
     config.tile_height = is_alone ? 960 : 240;
-    for (render::Camera& camera : config.cameras) {
-        camera = framed(camera, figures);
-    }
     std::vector<render::ClipFigure> bodies;
     bodies.reserve(frames.size());
     for (const std::size_t frame : frames) {
         bodies.push_back(figures.at(frame));
+    }
+    const float aspect =
+        static_cast<float>(config.tile_width) / static_cast<float>(config.tile_height);
+    for (render::Camera& camera : config.cameras) {
+        camera = framed(camera, figures);
+        for (const render::ClipFigure& body : bodies) {
+            camera = render::enclosing(camera, aspect, body);
+        }
     }
     // A frame alone is the picture that was asked for, without a word on it.
     SheetLabels labels;
@@ -159,13 +164,15 @@ Expected<void> show(const StickArguments& arguments,
     if (!look) {
         return fail(look.error());
     }
-    look->scene.camera = framed(look->scene.camera, figures);
     // Without a display the sheet takes the window's place.
     Path output = arguments.output;
     if (output.empty()) {
         auto window = open_stick_window(name, *look, arguments.settings);
         if (window) {
-            ClipContent content(figures, transport_of(clip, arguments.frame));
+            ClipContent content(figures,
+                                transport_of(clip, arguments.frame),
+                                frames_to_draw(clip.frame_count, std::nullopt));
+            look->scene.camera = content.framed(look->scene.camera);
             return show_in_window(std::move(*window), *look, content);
         }
         output = arguments.input.stem();

@@ -69,7 +69,12 @@ void ClipContent::draw(const engine::WindowPicture& picture, render::OverlayStat
 }
 
 render::Camera ClipContent::framed(render::Camera preset) const {
-    return apps::framed(preset, figures_);
+    constexpr float kAspect = 4.0F / 3.0F;  // of a narrow window
+    render::Camera camera = apps::framed(preset, figures_);
+    for (const std::size_t frame : framed_frames_) {
+        camera = render::enclosing(camera, kAspect, figures_.at(frame));
+    }
+    return camera;
 }
 
 }  // namespace raks::apps

@@ -32,9 +32,13 @@ namespace raks::apps {
 /// Shows a clip of recorded motion, frame by frame; the camera follows the body.
 class ClipContent final : public engine::WindowContent {
  public:
-    /// `figures` must outlive this.
-    ClipContent(const render::RecordedFigures& figures, engine::ClipTransport transport)
-        : figures_(figures), transport_(std::move(transport)) {}
+    /// `figures` must outlive this. `framed_frames`: those that the picture has room for.
+    ClipContent(const render::RecordedFigures& figures,
+                engine::ClipTransport transport,
+                std::vector<std::size_t> framed_frames)
+        : figures_(figures),
+          transport_(std::move(transport)),
+          framed_frames_(std::move(framed_frames)) {}
 
     /// The transport's keys.
     bool handle(const KeyEvent& key) override { return transport_.handle(key); }
@@ -45,12 +49,13 @@ class ClipContent final : public engine::WindowContent {
     [[nodiscard]] bool is_finished() const override { return false; }  ///< a clip plays in a loop
     /// A recorded body is a figure of its own.
     [[nodiscard]] bool has_avatar() const override { return false; }
-    /// By the size of the body.
+    /// By the size of the body and the room that its frames take.
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
 
  private:
     const render::RecordedFigures& figures_;
     engine::ClipTransport transport_;
+    std::vector<std::size_t> framed_frames_;
     std::string status_;
 };
 

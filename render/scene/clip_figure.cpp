@@ -52,7 +52,29 @@ bool is_named_head(const std::string& name) {
     return plain == "head" || plain.ends_with("_head") || plain.ends_with(" head");
 }
 
+// Whether a figure lies in the picture whole, with a margin.
+bool is_whole(const Camera& camera, float aspect, const ClipFigure& figure) {
+    constexpr float kEdge = 0.96F;  // of half the picture
+    const glm::mat4 clip_from_world = camera.clip_from_world(aspect);
+    return std::all_of(
+        figure.shape.vertices.begin(), figure.shape.vertices.end(), [&](const StickVertex& vertex) {
+            const glm::vec4 at = clip_from_world * glm::vec4(vertex.position, 1.0F);
+            return at.w > 0.0F && std::abs(at.x) <= kEdge * at.w && std::abs(at.y) <= kEdge * at.w;
+        });
+}
+
 }  // namespace
+
+Camera enclosing(Camera camera, float aspect, const ClipFigure& figure) {
+    constexpr float kStep = 1.03F;
+    Camera panned = camera;
+    panned.pan_to(figure.landmarks.position(motion::Bone::hips));
+    while (!is_whole(panned, aspect, figure) && panned.distance < Camera::kMaxDistance) {
+        panned.zoom(kStep);
+    }
+    camera.distance = panned.distance;
+    return camera;
+}
 
 Expected<ClipFigures> ClipFigures::create(motion::MotionClip clip,
                                           const motion::BodyOptions& options) {

@@ -11,6 +11,7 @@
 #include "motion/skeleton/body/body_finder.hpp"
 #include "motion/skeleton/motion_clip.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/scene/camera.hpp"
 #include "render/scene/stick_figure.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -35,6 +36,11 @@ class RecordedFigures {
     /// The figure at a frame of the recording; `frame` < its frame count.
     [[nodiscard]] virtual ClipFigure at(std::size_t frame) const = 0;
 };
+
+/// The camera as far away as a figure needs to lie in a picture of width / height = `aspect` whole,
+/// with a margin, when the camera has panned to its hips; no nearer than it stands. A figure that
+/// is too large for the greatest distance is cut.
+[[nodiscard]] Camera enclosing(Camera camera, float aspect, const ClipFigure& figure);
 
 /// The stick figure of a clip's own skeleton, of whatever shape: bones keep their lengths. A
 /// humanoid is found as for retargeting (body_finder.hpp): it stands with y up, in metres, on the

@@ -94,5 +94,26 @@ TEST(PointFigures, of_the_most_points_fit_one_mesh) {
     EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
 }
 
+TEST(Enclosing, goes_back_until_all_of_a_figure_is_in_the_picture) {
+    motion::PointClip clip = standing();
+    // A foot a metre and a half aside, as in a long lunge.
+    clip.positions[2].x += 1500.0;
+    const auto figures = PointFigures::create(clip, guess_point_frame(clip).frame);
+    ASSERT_TRUE(figures);
+    const ClipFigure figure = figures->at(0);
+    const Camera near;
+    const Camera far = enclosing(near, 0.75F, figure);
+    EXPECT_GT(far.distance, near.distance);
+    Camera panned = far;
+    panned.pan_to(figure.landmarks.position(motion::Bone::hips));
+    const glm::mat4 clip_from_world = panned.clip_from_world(0.75F);
+    for (const StickVertex& vertex : figure.shape.vertices) {
+        const glm::vec4 at = clip_from_world * glm::vec4(vertex.position, 1.0F);
+        EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), at.w);
+    }
+    // A figure that lies in the picture already leaves the camera where it is.
+    EXPECT_EQ(enclosing(far, 0.75F, figure), far);
+}
+
 }  // namespace
 }  // namespace raks::render::point_figure_test
