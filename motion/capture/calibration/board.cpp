@@ -80,9 +80,10 @@ std::size_t corner_count(const Board& board) noexcept {
 }
 
 glm::dvec2 corner_place(const Board& board, std::size_t corner) noexcept {
-    const std::size_t across = count(board.columns) - 1;
-    return {board.square * static_cast<double>(corner % across + 1),
-            board.square * static_cast<double>(corner / across + 1)};
+    const std::size_t across = std::max<std::size_t>(count(board.columns), 2) - 1;
+    const std::size_t row = corner / across;
+    return {board.square * static_cast<double>(corner - row * across + 1),
+            board.square * static_cast<double>(row + 1)};
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> board_edges(const Board& board) {

@@ -64,6 +64,7 @@ double shortest_edge(const Board& board, const std::vector<BoardCorner>& corners
 
 std::vector<cv::Point2f> pixels_of(const std::vector<BoardCorner>& corners) {
     std::vector<cv::Point2f> pixels;
+    pixels.reserve(corners.size());
     for (const BoardCorner& corner : corners) {
         pixels.emplace_back(static_cast<float>(corner.pixel.x), static_cast<float>(corner.pixel.y));
     }

@@ -21,10 +21,11 @@ void add_marker(const MarkerCells& cells,
                 std::vector<BoardPatch>& patches) {
     const double cell = side / cells.side;
     for (int row = 0; row < cells.side; ++row) {
+        const std::size_t start =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.side);
         for (int from = 0; from < cells.side;) {
             int to = from;
-            while (to < cells.side &&
-                   !cells.is_white[static_cast<std::size_t>(row * cells.side + to)]) {
+            while (to < cells.side && !cells.is_white[start + static_cast<std::size_t>(to)]) {
                 ++to;
             }
             if (to > from) {

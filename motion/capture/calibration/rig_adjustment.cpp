@@ -203,8 +203,10 @@ Expected<Adjustment> adjust_rig(Rig& rig,
                                 const std::vector<Sighting>& sightings,
                                 LensFreedom freedom) {
     Unknowns unknowns(rig, places);
-    ceres::Problem problem;
-    auto* const loss = new ceres::SoftLOneLoss(1.0);  // the problem owns it
+    ceres::SoftLOneLoss loss(1.0);
+    ceres::Problem::Options ownership;
+    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ceres::Problem problem(ownership);
     for (const Sighting& sighting : sightings) {
         double* const place = unknowns.board_at(sighting.moment);
         if (place == nullptr) {
@@ -215,7 +217,7 @@ Expected<Adjustment> adjust_rig(Rig& rig,
             problem.AddResidualBlock(
                 new ceres::AutoDiffCostFunction<CornerMiss, 2, kLensSize, kPoseSize, kPoseSize>(
                     miss),
-                loss,
+                &loss,
                 unknowns.lens(sighting.camera),
                 unknowns.pose(sighting.camera),
                 place);

@@ -81,7 +81,7 @@ Expected<void> fit_lenses(const Board& board,
             return fail(Error(fit.error()).in(name));
         }
         for (const std::string& doubt : fit->doubts) {
-            calibration.doubts.push_back(name + ": " + doubt);
+            calibration.doubts.push_back(fmt::format("{}: {}", name, doubt));
         }
         calibration.rig.cameras.push_back({camera.name, fit->lens, glm::dmat3(1.0), {}});
         calibration.cameras.push_back({.views = views.size(), .lens_rms = fit->rms});
@@ -163,6 +163,7 @@ Expected<void> find_floor(const Board& board,
 
 std::vector<std::string> names_of(const std::vector<FilmedCamera>& cameras) {
     std::vector<std::string> names;
+    names.reserve(cameras.size());
     for (const FilmedCamera& camera : cameras) {
         names.push_back(camera.name);
     }

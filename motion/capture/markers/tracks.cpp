@@ -91,7 +91,8 @@ class TracksReader {
         if (markers == 0 || tracks_.places.size() % markers == 0) {
             times_.push_back(row.time);
         }
-        if (markers == 0 || row.frame != static_cast<double>(tracks_.places.size() / markers)) {
+        const std::size_t due_frame = markers == 0 ? 0 : tracks_.places.size() / markers;
+        if (markers == 0 || row.frame != static_cast<double>(due_frame)) {
             return fail(fmt::format("frame {} is out of order", row.frame));
         }
         const std::string& due = tracks_.markers[tracks_.places.size() % markers];

@@ -94,7 +94,8 @@ Region grow(const PictureView& picture, const glm::ivec2& start, const glm::dvec
                 to.x >= picture.width || to.y < 0 || to.y >= picture.height) {
                 continue;
             }
-            std::uint8_t& seen = is_seen[static_cast<std::size_t>(cell.y * kSide + cell.x)];
+            std::uint8_t& seen = is_seen[static_cast<std::size_t>(cell.y) * kSide +
+                                         static_cast<std::size_t>(cell.x)];
             const auto here = chroma_of(picture.at(to.x, to.y), ChromaForm::normalised);
             if (seen == 0 && here && is_alike(*here, chroma)) {
                 region.pixels.push_back(to);

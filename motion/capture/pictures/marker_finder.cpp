@@ -40,7 +40,7 @@ bool has_hue(const glm::dvec2& chroma, const ColourModel& model) noexcept {
 // The cell of a chroma; what lies outside of the table is at its border.
 int cell_along(double chroma, ChromaForm form) noexcept {
     const double grey = form == ChromaForm::crcb ? 128.0 : 0.0;
-    return static_cast<int>(std::clamp(chroma - grey + kCells / 2, 0.0, kCells - 1.0));
+    return static_cast<int>(std::clamp(chroma - grey + 0.5 * kCells, 0.0, kCells - 1.0));
 }
 
 std::size_t cell_index(int x, int y) noexcept {
