@@ -14,7 +14,7 @@ packages=(
     libasound2-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
     libx11-dev libimgui-dev libstb-dev libpng-dev zlib1g-dev libavcodec-dev libavformat-dev libavutil-dev
     libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-    libsimdjson-dev libmeshoptimizer-dev libwebp-dev libjpeg62-turbo-dev libexpected-dev libpugixml-dev libseccomp-dev libgtest-dev libgmock-dev
+    libsimdjson-dev libmeshoptimizer-dev libwebp-dev libjpeg62-turbo-dev libexpected-dev libpugixml-dev libseccomp-dev libassimp-dev libdraco-dev libgtest-dev libgmock-dev
     # learning to hear beats: MIDI rendered, matrices
     libfluidsynth-dev libopenblas-dev
     # calibrating the cameras of a capture

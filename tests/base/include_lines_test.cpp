@@ -26,6 +26,7 @@ using Graph = std::map<std::string, std::set<std::string>>;
 const std::map<std::string, std::set<std::string>> kAllowed = {
     {"base", {}},
     {"base/channels", {"base"}},
+    {"base/gltf", {"base"}},
     {"models", {"base"}},
 
     {"audio/resample", {"base"}},
@@ -53,7 +54,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"audio/music/damage", {"base", "audio/io", "audio/resample"}},
 
     {"motion/skeleton", {"base"}},
-    {"motion/skeleton/formats", {"base", "motion/skeleton"}},
+    {"motion/skeleton/formats", {"base", "base/gltf", "motion/skeleton"}},
     {"motion/figures", {"base", "models", "motion/skeleton"}},
     {"motion/evaluate", {"base", "motion/skeleton", "motion/skeleton/formats", "motion/figures"}},
     {"motion/choreography", {"base", "motion/skeleton", "motion/figures", "motion/evaluate"}},
@@ -83,6 +84,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"render/video", {"base"}},
     {"render/model", {"base", "motion/skeleton"}},
     {"render/import", {"base", "motion/skeleton", "render/model"}},
+    {"render/export", {"base", "base/gltf", "motion/skeleton", "render/model"}},
     {"render/scene", {"base", "motion/skeleton"}},
     {"render/avatar", {"base", "motion/skeleton", "render/model"}},
     {"render/mannequin", {"base", "motion/skeleton", "render/avatar", "render/model"}},

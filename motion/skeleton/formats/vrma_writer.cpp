@@ -1,126 +1,74 @@
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "base/gltf/glb_document.hpp"
 #include "base/pending_file.hpp"
 #include "motion/skeleton/formats/vrma.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 namespace raks::motion {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "glTF's numbers are little-endian");
+using Json = GlbDocument::Json;
 
-using Json = nlohmann::ordered_json;
+Json node_of(const Skeleton& skeleton, std::size_t bone) {
+    const glm::vec3& offset = skeleton.offsets[bone];
+    Json node = {{"name", kBoneNames[bone]}, {"translation", {offset.x, offset.y, offset.z}}};
+    for (std::size_t child = bone + 1; child < kBoneParents.size(); ++child) {
+        if (kBoneParents[child] == bone) {
+            node["children"].push_back(child);
+        }
+    }
+    return node;
+}
 
-constexpr int kFloat = 5126;  // component type of an accessor
-
-// The document and its one buffer of floats.
+// The document with one clip in it.
 class VrmaDocument {
  public:
     VrmaDocument(const Skeleton& skeleton, const std::string& name) {
-        json_["asset"] = {{"version", "2.0"}, {"generator", "Raks"}};
-        json_["extensionsUsed"] = {"VRMC_vrm_animation"};
-        json_["scene"] = 0;
-        json_["scenes"] = {{{"nodes", {0}}}};
+        Json& json = glb_.json();
+        glb_.use_extension("VRMC_vrm_animation");
+        json["scene"] = 0;
+        json["scenes"] = {{{"nodes", {0}}}};
         Json bones = Json::object();
         for (std::size_t bone = 0; bone < kBoneNames.size(); ++bone) {
-            json_["nodes"].push_back(node_of(skeleton, bone));
+            json["nodes"].push_back(node_of(skeleton, bone));
             bones[std::string(kBoneNames[bone])] = {{"node", bone}};
         }
-        json_["extensions"]["VRMC_vrm_animation"] = {{"specVersion", "1.0"},
-                                                     {"humanoid", {{"humanBones", bones}}}};
+        json["extensions"]["VRMC_vrm_animation"] = {{"specVersion", "1.0"},
+                                                    {"humanoid", {{"humanBones", bones}}}};
         clip_ = {{"name", name}, {"channels", Json::array()}, {"samplers", Json::array()}};
     }
 
     // Moments of keys; says their accessor.
     std::size_t add_times(const std::vector<float>& times) {
-        const std::size_t accessor = add_floats(times, 1);
-        json_["accessors"][accessor]["min"] = {times.front()};
-        json_["accessors"][accessor]["max"] = {times.back()};
-        return accessor;
+        return glb_.add_floats(times, GlbType::scalar, GlbUse::values, true);
     }
 
-    // What one bone does; `width` numbers a key.
+    // What one bone does.
     void add_channel(std::size_t bone,
                      const char* path,
                      std::size_t times,
                      const std::vector<float>& values,
-                     std::size_t width) {
-        const std::size_t output = add_floats(values, width);
+                     GlbType type) {
+        const std::size_t output = glb_.add_floats(values, type);
         clip_["channels"].push_back(
             {{"sampler", clip_["samplers"].size()}, {"target", {{"node", bone}, {"path", path}}}});
         clip_["samplers"].push_back(
             {{"input", times}, {"output", output}, {"interpolation", "LINEAR"}});
     }
 
-    // The container around both.
     [[nodiscard]] Expected<std::string> bytes() {
-        json_["animations"] = {clip_};
-        json_["buffers"] = {{{"byteLength", binary_.size()}}};
-        std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        constexpr std::size_t kHead = 12;
-        constexpr std::size_t kChunkHead = 8;
-        const std::size_t size = kHead + 2 * kChunkHead + text.size() + binary_.size();
-        if (size > std::numeric_limits<std::uint32_t>::max()) {
-            return fail("too long for a VRMA: more than 4 GiB");
-        }
-        std::string file = "glTF";
-        add_number(2, file);
-        add_number(size, file);
-        add_number(text.size(), file);
-        file += "JSON";
-        file += text;
-        add_number(binary_.size(), file);
-        file += std::string("BIN\0", 4);
-        file += binary_;
-        return file;
+        glb_.json()["animations"] = {clip_};
+        return glb_.bytes();
     }
 
  private:
-    static Json node_of(const Skeleton& skeleton, std::size_t bone) {
-        const glm::vec3& offset = skeleton.offsets[bone];
-        Json node = {{"name", kBoneNames[bone]}, {"translation", {offset.x, offset.y, offset.z}}};
-        for (std::size_t child = bone + 1; child < kBoneParents.size(); ++child) {
-            if (kBoneParents[child] == bone) {
-                node["children"].push_back(child);
-            }
-        }
-        return node;
-    }
-
-    static void add_number(std::size_t number, std::string& file) {
-        const auto word = static_cast<std::uint32_t>(number);
-        file.append(reinterpret_cast<const char*>(&word), sizeof(word));
-    }
-
-    // Appends an accessor with a view of its own.
-    std::size_t add_floats(const std::vector<float>& values, std::size_t width) {
-        const std::size_t bytes = values.size() * sizeof(float);
-        const std::size_t index = json_["accessors"].size();
-        json_["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes}});
-        json_["accessors"].push_back({{"bufferView", index},
-                                      {"componentType", kFloat},
-                                      {"count", values.size() / width},
-                                      {"type",
-                                       width == 1   ? "SCALAR"
-                                       : width == 3 ? "VEC3"
-                                                    : "VEC4"}});
-        binary_.append(reinterpret_cast<const char*>(values.data()), bytes);
-        return index;
-    }
-
-    Json json_;
+    GlbDocument glb_;
     Json clip_;
-    std::string binary_;
 };
 
 Expected<void> check_poses(std::span<const Pose> poses, double poses_per_second) {
@@ -188,14 +136,15 @@ Expected<std::string> vrma_bytes(const Skeleton& skeleton,
     const std::size_t times = document.add_times(moments);
     const std::size_t start = poses.size() == 1 ? times : document.add_times({0.0F});
     const auto add =
-        [&](std::size_t bone, const char* path, std::vector<float> values, std::size_t width) {
+        [&](std::size_t bone, const char* path, std::vector<float> values, GlbType type) {
+            const std::size_t width = glb_width(type);
             const bool stays = is_constant(values, width);
             values.resize(stays ? width : values.size());
-            document.add_channel(bone, path, stays ? start : times, values, width);
+            document.add_channel(bone, path, stays ? start : times, values, type);
         };
-    add(0, "translation", travel_of(poses), 3);
+    add(0, "translation", travel_of(poses), GlbType::vec3);
     for (std::size_t bone = 0; bone < kBoneNames.size(); ++bone) {
-        add(bone, "rotation", rotations_of(poses, bone), 4);
+        add(bone, "rotation", rotations_of(poses, bone), GlbType::vec4);
     }
     return document.bytes();
 }
