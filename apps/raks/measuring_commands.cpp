@@ -71,7 +71,7 @@ void add_avatar(RaksCommands& table) {
     auto [list, l] = table.add(*avatar, "list", "list the avatars that there are", avatar_list);
     list->add_flag("--json", l->as_json, "one JSON document");
     auto [show, s] =
-        table.add(*avatar, "show", "tell what is in a model: VRM, glTF, VRMA", avatar_show);
+        table.add(*avatar, "show", "tell what is in a model: VRM, glTF, VRMA, 3DS", avatar_show);
     add_model_options(*show, s->model, s->options);
     add_height_option(*show, s->options);
     show->add_option("--expression", s->expression, "what a face does: happy=1,blink=0.6");

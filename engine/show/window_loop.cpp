@@ -267,7 +267,7 @@ void WindowLoop::handle(const render::DropEvent& drop, const WindowContent& cont
             avatar_change_.ask(path);
             show("loading " + printable(std::filesystem::path(path).filename().string()));
         } else {
-            say(printable(path) + ": only models are taken here: .vrm, .glb, .gltf");
+            say(printable(path) + ": only models are taken here: .vrm, .glb, .gltf, .3ds");
         }
     }
 }

@@ -7,31 +7,12 @@
 #include <vector>
 
 #include "render/import/gltf_file.hpp"
+#include "render/import/import_budget.hpp"
 #include "render/import/json_field.hpp"
 #include "render/import/side_files.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {
-
-/// How much may be allocated for one model, whatever it says.
-class ImportBudget {
- public:
-    explicit ImportBudget(std::size_t bytes) : left_(bytes) {}
-    /// Takes so many elements of so many bytes. False: there are not so many left.
-    [[nodiscard]] bool claim(std::uint64_t count, std::size_t size) noexcept {
-        if (size != 0 && count > left_ / size) {
-            return false;
-        }
-        left_ -= static_cast<std::size_t>(count) * size;
-        return true;
-    }
-    /// What was claimed and is freed again.
-    void give_back(std::size_t count, std::size_t size) noexcept { left_ += count * size; }
-    [[nodiscard]] std::size_t left() const noexcept { return left_; }
-
- private:
-    std::size_t left_;
-};
 
 /// The bytes of a file: its buffers and the views of them, meshopt's unpacked. Everything that
 /// they claim is checked when it is made; bytes are fetched when they are asked for.

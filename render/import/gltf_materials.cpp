@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/printable.hpp"
-#include "render/import/image.hpp"
+#include "render/import/model_images.hpp"
 #include "render/import/notes.hpp"
 
 namespace raks::render {
@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::size_t kMostImages = 2'000;
 constexpr std::size_t kMostMaterials = 10'000;
-constexpr std::int64_t kMostPixels = 64'000'000;  // unpacked, of all images of a model
-constexpr std::int64_t kMostPackedPixels =
-    4 * kMostPixels;          // so many are unpacked and made smaller
 constexpr float kAny = 1e6F;  // factors, offsets and scales beyond are no surface
 
 // ---- images
@@ -79,54 +76,18 @@ ModelImage read_image(const JsonField& field,
     if (image.packed.empty()) {
         return image;
     }
-    const auto head = look_at_image(image.packed);
-    if (!head) {
-        warn(model, field.line(fmt::format("left out: {}", head.error().message)));
-        image.packed.clear();
+    const auto format = take_size(image);
+    if (!format) {
+        warn(model, field.line(fmt::format("left out: {}", format.error().message)));
         return image;
     }
     const JsonField type = field["mimeType"];
-    if (type.exists() && type.text() != kMimeTypes[static_cast<std::size_t>(head->format)]) {
+    if (type.exists() && type.text() != kMimeTypes[static_cast<std::size_t>(*format)]) {
         warn(model,
-             field.line(fmt::format("says {}, is {}",
-                                    type.text(),
-                                    kMimeTypes[static_cast<std::size_t>(head->format)])));
+             field.line(fmt::format(
+                 "says {}, is {}", type.text(), kMimeTypes[static_cast<std::size_t>(*format)])));
     }
-    image.width = head->width;
-    image.height = head->height;
     return image;
-}
-
-std::int64_t pixels_of(const ModelImage& image) {
-    return std::int64_t{image.width >> image.halvings} * (image.height >> image.halvings);
-}
-
-/// Leaves out what would take too long to unpack, and halves the largest until the rest fits.
-void keep_within_memory(Model& model) {
-    std::int64_t packed = 0;
-    for (ModelImage& image : model.images) {
-        packed += std::int64_t{image.width} * image.height;
-        if (packed > kMostPackedPixels) {
-            image.packed.clear();
-            image.width = image.height = 0;
-            warn(model, "images of more than 256 megapixels: the last ones are left out");
-        }
-    }
-    const auto total = [&model] {
-        std::int64_t sum = 0;
-        for (const ModelImage& image : model.images) {
-            sum += pixels_of(image);
-        }
-        return sum;
-    };
-    while (total() > kMostPixels) {
-        warn(model, "images of more than 64 megapixels: the largest are drawn smaller");
-        ++std::max_element(
-              model.images.begin(),
-              model.images.end(),
-              [](const ModelImage& a, const ModelImage& b) { return pixels_of(a) < pixels_of(b); })
-              ->halvings;
-    }
 }
 
 // ---- textures
@@ -267,7 +228,7 @@ void read_materials(const JsonField& root,
     for (const JsonField& field : root["images"].objects(kMostImages)) {
         model.images.push_back(read_image(field, buffers, side, budget, model));
     }
-    keep_within_memory(model);
+    keep_images_within_memory(model);
     read_textures(root, model);
     for (const JsonField& field : root["materials"].objects(kMostMaterials)) {
         model.materials.push_back(read_material(field, model));

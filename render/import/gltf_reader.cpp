@@ -19,13 +19,12 @@
 namespace raks::render {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{900} << 20U;  // of one model and its file in memory
 constexpr std::size_t kBytesPerJson = 14;  // that the parser takes for a byte of JSON at most
 
 /// What is left for the model's own arrays.
 std::size_t bytes_for_model(std::span<const std::byte> bytes, const GltfFile& file) {
     const std::size_t taken = bytes.size() + kBytesPerJson * file.json_bytes;
-    return taken < kMostBytes ? kMostBytes - taken : 0;
+    return taken < kMostModelBytes ? kMostModelBytes - taken : 0;
 }
 
 /// What the file has and Raks does not show.

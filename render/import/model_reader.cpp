@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "render/import/gltf_reader.hpp"
+#include "render/import/tds_reader.hpp"
 
 namespace raks::render {
 namespace {
@@ -22,11 +23,12 @@ struct Format {
     Expected<Model> (*read)(std::span<const std::byte>, const SideFiles&);
 };
 
-constexpr std::array<Format, 4> kFormats = {{
+constexpr std::array<Format, 5> kFormats = {{
     {".glb", read_gltf},
     {".gltf", read_gltf},
     {".vrm", read_gltf},
     {".vrma", read_gltf},
+    {".3ds", read_tds},
 }};
 
 const Format* format_of(const std::filesystem::path& path) {
@@ -50,7 +52,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
                            const SideFiles& side) {
     const Format* const format = format_of(name);
     if (format == nullptr) {
-        return fail("no model that is read; .vrm, .glb, .gltf and .vrma are");
+        return fail("no model that is read; .vrm, .glb, .gltf, .vrma and .3ds are");
     }
     auto model = format->read(bytes, side);
     if (model) {
@@ -63,7 +65,7 @@ Expected<Model> load_model(const std::filesystem::path& path) {
     const std::string shown = printable(path.string());
     if (!is_model_name(path)) {
         return fail(
-            fmt::format("{}: no model that is read; .vrm, .glb, .gltf and .vrma are", shown));
+            fmt::format("{}: no model that is read; .vrm, .glb, .gltf, .vrma and .3ds are", shown));
     }
     const auto file = read_file(path, kLargestFile);
     if (!file) {

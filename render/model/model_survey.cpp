@@ -147,6 +147,9 @@ void survey_figure(const Model& model, const std::vector<glm::mat4>& world, Mode
 }
 
 std::string format_of(const Model& model) {
+    if (!model.format.empty()) {
+        return model.format;
+    }
     switch (model.character.vrm) {
         case VrmVersion::vrm0:
             return "VRM 0.x";

@@ -29,7 +29,7 @@ struct Box {
 
 /// Counts are those of the file.
 struct ModelSurvey {
-    std::string format;  ///< "VRM 0.x", "VRM 1.0", "VRMA 1.0", "glTF 2.0"
+    std::string format;  ///< "VRM 0.x", "VRM 1.0", "VRMA 1.0", "glTF 2.0", "3DS v3"
     std::size_t nodes = 0;
     std::size_t joints = 0;  ///< of all skins, each once
     std::size_t skins = 0;

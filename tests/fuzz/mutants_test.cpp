@@ -118,6 +118,12 @@ void Mutants::add_models() {
         doors_.push_back(
             {name, file, source(folder + name), {"avatar", "show", path(file)}, Form::glb, {}});
     }
+    doors_.push_back({"3DS",
+                      "m.3ds",
+                      source(folder + "derived_kenney_character.3ds"),
+                      {"avatar", "show", path("m.3ds")},
+                      Form::bytes,
+                      {}});
     const std::string whole = std::string(RAKS_SOURCE_DIR) + "/" + folder + "six_poses.vrma";
     for (const std::string name : {"smoke_spring.vrm", "Godette_vrm_v4.vrm"}) {
         doors_.push_back({"posed " + name,

@@ -56,6 +56,11 @@ std::span<const Reader> readers() {
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},
          500},
+        {"model_3ds",
+         read_tds_file,
+         {"tests/data/avatars/derived_kenney_character.3ds"},
+         2000,
+         Content::bytes},
     };
     return all;
 }

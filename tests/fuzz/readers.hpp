@@ -71,5 +71,6 @@ bool read_tracks_file(std::string_view text);      ///< of markers; and as TRC
 bool read_flags_file(std::string_view text);       ///< of two markers over ten frames
 bool read_edits_file(std::string_view text);       ///< of tracks
 bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
+bool read_tds_file(std::string_view bytes);        ///< 3DS; the same
 
 }  // namespace raks::fuzz

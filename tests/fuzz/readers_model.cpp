@@ -190,13 +190,11 @@ void move(const render::Model& model) {
     }
 }
 
-}  // namespace
-
-bool read_model_file(std::string_view text) {
-    // A text may be either: the ending says nothing to the reader.
+bool read_model_named(const char* name, std::string_view text) {
     const auto model = render::read_model(
-        std::as_bytes(std::span(text.data(), text.size())), "x.vrm", render::SideFiles());
+        std::as_bytes(std::span(text.data(), text.size())), name, render::SideFiles());
     if (!model) {
+        promise(model.error().message.find('\n') == std::string::npos);
         return false;
     }
     check(*model);
@@ -217,6 +215,13 @@ bool read_model_file(std::string_view text) {
     }
     return true;
 }
+
+}  // namespace
+
+// A text may be either glTF or its container: the ending says nothing to the reader.
+bool read_model_file(std::string_view text) { return read_model_named("x.vrm", text); }
+
+bool read_tds_file(std::string_view bytes) { return read_model_named("x.3ds", bytes); }
 
 bool read_bone_label_file(std::string_view text) {
     const auto labels = render::read_bone_labels(text, "x.toml");
