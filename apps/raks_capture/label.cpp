@@ -3,6 +3,7 @@
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/label_checks.hpp"
+#include "apps/raks_capture/label_window.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
@@ -13,7 +14,7 @@ namespace {
 /// Arguments of `raks capture label`.
 struct LabelArguments {
     Path folder;
-    Path labels;
+    Path labels;  ///< empty: in a window
 };
 
 // What is there of a file that a step before may have made.
@@ -29,7 +30,11 @@ ExitCode label_capture(const LabelArguments& arguments) {
         return fail(plan.error());
     }
     const auto markers = load_markers(*plan);
-    const auto labels = load_labels(arguments.labels);
+    // The window goes on with what was labelled before.
+    const Path file = arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels;
+    const auto labels = arguments.labels.empty()
+                            ? loaded_if_there(file, [&file] { return load_labels(file); })
+                            : load_labels(file);
     const auto rig =
         loaded_if_there(plan->file("rig.toml"), [&plan] { return load_capture_rig(*plan); });
     const auto clocks =
@@ -45,12 +50,18 @@ ExitCode label_capture(const LabelArguments& arguments) {
             return fail(*error);
         }
     }
-    const auto doubts = check_labels(*labels,
-                                     {*plan,
-                                      *markers,
-                                      rig->cameras.empty() ? nullptr : &*rig,
-                                      seen->films.empty() ? nullptr : &*seen,
-                                      *clocks});
+    const LabelledCapture known{*plan,
+                                *markers,
+                                rig->cameras.empty() ? nullptr : &*rig,
+                                seen->films.empty() ? nullptr : &*seen,
+                                *clocks};
+    if (arguments.labels.empty()) {
+        if (auto checked = check_label_places(*labels, known); !checked) {
+            return fail(std::move(checked.error()).in(file.string()));
+        }
+        return exit_code_of(label_in_window({*plan, *markers, *labels, *rig, *seen, *clocks}));
+    }
+    const auto doubts = check_labels(*labels, known);
     if (!doubts) {
         return fail(Error(doubts.error()).in(arguments.labels.string()));
     }
@@ -66,8 +77,9 @@ void add_label(CommandTable& table) {
     const auto [app, arguments] = table.add<LabelArguments>(
         table.app(), "label", "say which marker is where in first pictures", &label_capture);
     app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--labels", arguments->labels, "table of labels (TSV), checked and taken over")
-        ->required();
+    app->add_option("--labels",
+                    arguments->labels,
+                    "table of labels (TSV), checked and taken over; without: a window");
 }
 
 }  // namespace raks::apps

@@ -95,13 +95,12 @@ std::optional<double> moment_of(const MarkerLabel& label, const LabelledCapture&
 bool are_of_one_moment(const MarkerLabel& one,
                        const MarkerLabel& other,
                        const LabelledCapture& capture) {
-    constexpr double kWithin = 0.04;  // seconds
     if (one.camera == other.camera) {
         return false;
     }
     const auto first = moment_of(one, capture);
     const auto second = moment_of(other, capture);
-    return !first || !second || std::abs(*first - *second) <= kWithin;
+    return !first || !second || std::abs(*first - *second) <= kOneMoment;
 }
 
 // How well a marker is labelled.
@@ -173,16 +172,24 @@ std::optional<std::string> colour_doubt(const MarkerLabel& label, const Labelled
 
 }  // namespace
 
-Expected<std::vector<std::string>> check_labels(const std::vector<MarkerLabel>& labels,
-                                                const LabelledCapture& capture) {
+Expected<void> check_label_places(const std::vector<MarkerLabel>& labels,
+                                  const LabelledCapture& capture) {
     for (const MarkerLabel& label : labels) {
         auto checked = check_names(label, capture);
         if (checked) {
             checked = check_place(label, capture);
         }
         if (!checked) {
-            return fail(std::move(checked.error()));
+            return checked;
         }
+    }
+    return {};
+}
+
+Expected<std::vector<std::string>> check_labels(const std::vector<MarkerLabel>& labels,
+                                                const LabelledCapture& capture) {
+    if (auto checked = check_label_places(labels, capture); !checked) {
+        return fail(std::move(checked.error()));
     }
     std::vector<std::string> missing;
     std::vector<std::string> alone;

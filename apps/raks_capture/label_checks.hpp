@@ -12,6 +12,9 @@
 
 namespace raks::apps {
 
+/// Labels within so many seconds of each other are of one moment.
+inline constexpr double kOneMoment = 0.04;
+
 /// What is known of a capture when it is labelled.
 struct LabelledCapture {
     const CapturePlan& plan;
@@ -21,11 +24,16 @@ struct LabelledCapture {
     std::vector<capture::Clock> clocks;           ///< empty: not synchronised yet
 };
 
+/// Checks what no label may be, one line that names it: of a camera or marker that the capture has
+/// not (with the nearest name), at a pixel outside of the picture, in a picture that the film has
+/// not.
+[[nodiscard]] Expected<void> check_label_places(const std::vector<capture::MarkerLabel>& labels,
+                                                const LabelledCapture& capture);
+
 /// Checks labels. Result: what is doubtful, one line each: markers that nobody labelled, or in one
 /// camera alone, or never in two at one moment (within 40 ms); labels that lie on a spot of another
-/// colour, where spots are known. Errors, one line that names the label: a camera or marker that
-/// the capture has not (with the nearest name), a pixel outside of the picture, a picture that the
-/// film has not; no marker that is labelled in two cameras at one moment.
+/// colour, where spots are known. Errors: as
+/// check_label_places; no marker that is labelled in two cameras at one moment.
 [[nodiscard]] Expected<std::vector<std::string>> check_labels(
     const std::vector<capture::MarkerLabel>& labels, const LabelledCapture& capture);
 

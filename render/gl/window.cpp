@@ -219,6 +219,15 @@ void Window::State::on_key(int glfw_key, int action, int modifiers) {
                                        .has_shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                                        .has_control = (modifiers & GLFW_MOD_CONTROL) != 0,
                                        .is_repeat = is_last_key_a_repeat});
+    } else if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+        // No character follows: the key by its name on this keyboard.
+        const char* const name = glfwGetKeyName(glfw_key, 0);
+        if (name != nullptr && name[0] > ' ' && name[0] <= '~' && name[1] == '\0') {
+            arriving.emplace_back(KeyEvent{.key = key_of(static_cast<char32_t>(name[0])),
+                                           .has_shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                                           .has_control = true,
+                                           .is_repeat = is_last_key_a_repeat});
+        }
     }
 }
 
@@ -271,8 +280,12 @@ void Window::State::on_mouse(double x, double y) {
         return;
     }
     const auto index = static_cast<std::size_t>(held - is_held.begin());
-    arriving.emplace_back(MouseDragEvent{
-        .button = kMouseButtons[index].second, .has_shift = has_shift(), .dx = dx, .dy = dy});
+    arriving.emplace_back(MouseDragEvent{.button = kMouseButtons[index].second,
+                                         .has_shift = has_shift(),
+                                         .dx = dx,
+                                         .dy = dy,
+                                         .x = static_cast<float>(x) * scale,
+                                         .y = static_cast<float>(y) * scale});
 }
 
 /// Framebuffer pixels for each screen coordinate: 1, or 2 on fine monitors of some systems.
@@ -295,9 +308,9 @@ Expected<Window> Window::create(const WindowOptions& options) {
         // GLFW's own words for a missing display do not tell a user what to do.
         const char* const display = std::getenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe)
         return fail(display == nullptr || *display == '\0'
-                        ? "no display: DISPLAY is not set; use --headless, or `raks render`"
-                        : "no display: \"" + std::string(display) + "\": " + last_error() +
-                              "; use --headless, or `raks render`");
+                        ? "no display: DISPLAY is not set; " + options.otherwise
+                        : "no display: \"" + std::string(display) + "\": " + last_error() + "; " +
+                              options.otherwise);
     }
     const auto yes_no = [](bool is_on) { return is_on ? GLFW_TRUE : GLFW_FALSE; };
     glfwDefaultWindowHints();
@@ -315,7 +328,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
         glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
     if (state->handle == nullptr) {
         return fail("no window with OpenGL 3.3: " + last_error() +
-                    "; update the graphics driver, or use --headless");
+                    "; update the graphics driver, or " + options.otherwise);
     }
     glfwMakeContextCurrent(state->handle);
     // Drawn in software, a picture takes all cores: sound comes first.
@@ -346,6 +359,14 @@ std::span<const WindowEvent> Window::poll_events() {
 bool Window::should_close() const { return glfwWindowShouldClose(state_->handle) == GLFW_TRUE; }
 
 void Window::request_close() { glfwSetWindowShouldClose(state_->handle, GLFW_TRUE); }
+
+void Window::stay_open() { glfwSetWindowShouldClose(state_->handle, GLFW_FALSE); }
+
+PointerPlace Window::pointer() const {
+    const float scale = state_->pixels_per_unit();
+    return {static_cast<float>(state_->mouse_x) * scale,
+            static_cast<float>(state_->mouse_y) * scale};
+}
 
 FrameTarget Window::frame() const {
     FrameTarget target;

@@ -72,6 +72,19 @@ struct MouseDragEvent {
     float dx = 0.0F;
     /// Pixels downward.
     float dy = 0.0F;
+    /// Where it is now, as of MouseButtonEvent.
+    float x = 0.0F;
+    /// As x.
+    float y = 0.0F;
+};
+
+/// Where the pointer is: framebuffer pixels, origin at the top left; outside of the window, too.
+struct PointerPlace {
+    /// From the left edge.
+    float x = 0.0F;
+    /// From the upper edge.
+    float y = 0.0F;
+    friend bool operator==(const PointerPlace&, const PointerPlace&) = default;
 };
 
 /// Steps of the wheel; up and right are positive.
@@ -105,6 +118,8 @@ struct WindowOptions {
     bool is_visible = true;
     int samples = 0;       ///< anti-aliasing of the window's own framebuffer
     double max_fps = 0.0;  ///< pictures a second; 0: the monitor's rate, or 60 when it tells none
+    /// What to do where no window can be opened: the end of create()'s errors.
+    std::string otherwise = "use --headless, or `raks render`";
 };
 
 /// A window with an OpenGL 3.3 core context, current on the thread that made it.
@@ -118,7 +133,7 @@ struct WindowOptions {
 /// Threads: the main thread alone (GLFW's rule). Real-time: no.
 class Window {
  public:
-    /// Errors: no display ("no display: set DISPLAY, or use --headless"), no OpenGL 3.3.
+    /// Errors: no display ("no display: DISPLAY is not set; " and what to do), no OpenGL 3.3.
     [[nodiscard]] static Expected<Window> create(const WindowOptions& options);
     /// The source may only be destroyed or assigned to.
     Window(Window&&) noexcept;
@@ -134,6 +149,10 @@ class Window {
     [[nodiscard]] bool should_close() const;
     /// Makes `should_close` true.
     void request_close();
+    /// Makes `should_close` false: something is to be asked first.
+    void stay_open();
+    /// Where the pointer was when events were polled last.
+    [[nodiscard]] PointerPlace pointer() const;
 
     /// Where to draw: all of the window's own framebuffer, in pixels; changes with the window.
     /// 0 x 0 while minimised: draw nothing then. `read_rgba(window.frame(), rgba)` before

@@ -89,6 +89,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"render/avatar", {"base", "motion/skeleton", "render/model"}},
     {"render/mannequin", {"base", "motion/skeleton", "render/avatar", "render/model"}},
     {"render/overlay", {"base", "render/gl"}},
+    {"render/panes", {"base", "render/gl", "render/overlay"}},
     {"render", {"base", "motion/skeleton", "render/gl", "render/scene", "render/avatar"}},
 
     {"training/hmm", {"base", "models"}},
