@@ -11,6 +11,7 @@ void add_commands(CommandTable& table) {
     add_sync(table);
     add_label(table);
     add_track(table);
+    add_correct(table);
     add_solve(table);
     add_report(table);
     add_compare(table);

@@ -14,6 +14,8 @@ void add_commands(CommandTable& table);
 void add_board(CommandTable& table);
 /// Adds `calibrate`.
 void add_calibrate(CommandTable& table);
+/// Adds `correct`.
+void add_correct(CommandTable& table);
 /// Adds `run`.
 void add_run(CommandTable& table);
 /// Adds `label`.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/raks_capture/pane_sizes.hpp"
 #include "render/panes/name_tags.hpp"
 #include "render/panes/widgets.hpp"
 
@@ -17,15 +18,7 @@ using render::Box;
 using render::PaneFrame;
 using render::PicturePlace;
 
-// Sizes in units.
-constexpr float kMargin = 8.0F;
-constexpr float kBar = 30.0F;
-constexpr float kLine = 20.0F;
-constexpr float kList = 236.0F;
-constexpr float kLeastRow = 19.0F;
-constexpr float kMostRow = 27.0F;
-constexpr float kNear = 10.0F;  // a click so near to a spot or label is meant for it
-constexpr float kMoves = 3.0F;  // a label follows the pointer from so far on
+using namespace pane_sizes;
 
 /// The pane while it is drawn.
 class LabelPane {
@@ -254,9 +247,8 @@ class LabelPane {
         }
         const bool is_over_list = frame_.pointer.x >= layout_.title.x;
         if (is_over_list && frame_.wheel != 0.0F && rows < count) {
-            const bool is_up = frame_.wheel > 0.0F;
-            wishes_.emplace_back(SetLabelRow{is_up ? first - std::min<std::size_t>(first, 3)
-                                                   : std::min(first + 3, count - rows)});
+            wishes_.emplace_back(
+                SetLabelRow{pane_sizes::scrolled(first, frame_.wheel, rows, count)});
         }
         const auto named = std::count_if(view_.proposals.begin(),
                                          view_.proposals.end(),
@@ -340,6 +332,7 @@ class LabelPane {
 }  // namespace
 
 LabelLayout label_layout(const Box& area, std::size_t cameras, std::size_t markers) {
+    using namespace pane_sizes;
     LabelLayout layout;
     const float right = area.right() - kMargin;
     float x = right;
@@ -372,12 +365,8 @@ LabelLayout label_layout(const Box& area, std::size_t cameras, std::size_t marke
     layout.accept = {list, bottom - kMargin - kBar, kList - 84.0F, kBar};
     layout.remove = {layout.accept.right() + 4.0F, layout.accept.y, 80.0F, kBar};
     const float rows_top = layout.title.bottom() + 2.0F;
-    const float rows_room = std::max(layout.accept.y - kMargin - rows_top, kLeastRow);
-    const float row = std::clamp(rows_room / static_cast<float>(markers), kLeastRow, kMostRow);
-    const auto count = std::min(markers, static_cast<std::size_t>(rows_room / row));
-    for (std::size_t i = 0; i < count; ++i) {
-        layout.markers.push_back({list, rows_top + static_cast<float>(i) * row, kList, row - 1.0F});
-    }
+    layout.markers =
+        marker_rows({list, rows_top, kList, layout.accept.y - kMargin - rows_top}, markers);
     layout.status = {area.x + kMargin, bottom, right - area.x - kMargin, kLine};
     layout.keys = {area.x + kMargin, bottom + kLine + 2.0F, right - area.x - kMargin, kLine};
     return layout;

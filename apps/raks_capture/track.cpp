@@ -8,7 +8,7 @@
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/commands.hpp"
-#include "apps/raks_capture/film_step.hpp"
+#include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
@@ -94,34 +94,17 @@ ExitCode track(const TrackArguments& arguments) {
     if (!plan) {
         return fail(plan.error());
     }
-    const auto rig = load_capture_rig(*plan);
-    const auto markers = load_markers(*plan);
-    const auto clocks = load_clocks(*plan);
-    const auto labels =
-        load_labels(arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels);
-    const Expected<capture::Observations> seen =
-        markers && labels ? seen_by_cameras(*plan, *markers, *labels, form_named(arguments.colour))
-                          : fail(markers ? labels.error() : markers.error());
-    const auto edits = load_edits(*plan);
-    for (const Error* const error : {rig ? nullptr : &rig.error(),
-                                     markers ? nullptr : &markers.error(),
-                                     clocks ? nullptr : &clocks.error(),
-                                     seen ? nullptr : &seen.error(),
-                                     labels ? nullptr : &labels.error(),
-                                     edits ? nullptr : &edits.error()}) {
-        if (error != nullptr) {
-            return fail(*error);
-        }
+    auto given =
+        load_tracking(*plan,
+                      arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels,
+                      form_named(arguments.colour));
+    if (!given) {
+        return fail(std::move(given.error()));
     }
-    capture::TrackerOptions options;
-    options.frames_per_second = plan->frames_per_second;
-    options.first_time = plan->start;
-    options.sigma = arguments.sigma;
-    options.acceleration = arguments.acceleration;
-    options.smoothing = arguments.smoothing;
-    options.height = plan->height;
-    const auto stages =
-        capture::track_markers({*rig, *markers, *seen, *clocks, *labels, *edits}, options);
+    given->options.sigma = arguments.sigma;
+    given->options.acceleration = arguments.acceleration;
+    given->options.smoothing = arguments.smoothing;
+    const auto stages = track_with(*given, given->edits);
     if (!stages) {
         return fail(Error(stages.error()).in(arguments.folder.string()));
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr float kHeight = 16.0F;
 constexpr float kGap = 10.0F;   // between a point and its box
 constexpr float kPoint = 6.0F;  // radius of what must stay free around a point
-constexpr int kRings = 5;       // of places farther and farther away
+constexpr int kRings = 9;       // of places farther and farther away
 
 bool overlap(const Box& one, const Box& other) {
     return one.x < other.right() && other.x < one.right() && one.y < other.bottom() &&

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "render/overlay/fonts.hpp"
@@ -33,6 +34,17 @@ void tell_key(ImGuiIO& io, const KeyEvent& key, bool is_down) {
 }
 
 }  // namespace
+
+float pane_scale(int width, int height, float content_scale) noexcept {
+    constexpr float kUsualWidth = 1280.0F;
+    constexpr float kUsualHeight = 720.0F;
+    constexpr float kMost = 2.5F;
+    const float times = std::min(static_cast<float>(width) / kUsualWidth,
+                                 static_cast<float>(height) / kUsualHeight) /
+                        content_scale;
+    const float half = std::floor(4.0F * (0.5F + 0.5F * times)) / 4.0F;
+    return content_scale * std::clamp(half, 1.0F, kMost);
+}
 
 bool PaneFrame::holds(MouseButton button) const noexcept {
     return std::find(held.begin(), held.end(), button) != held.end();
@@ -82,38 +94,44 @@ void PaneContext::take(std::span<const WindowEvent> events) {
     waiting_.insert(waiting_.end(), events.begin(), events.end());
 }
 
-// Events up to the second that presses or releases a button: ImGui, and whoever looks at a frame,
-// would miss a click that is over within it.
+// One key, one change of a button, or all motion up to the next of them: what a frame asks for
+// follows from what is there when it begins, so that a key behind a key, or behind a click, must
+// find what that has changed. The first frame takes nothing up: what lies under the pointer is not
+// known before.
 void PaneContext::take_up(const PointerPlace& pointer) {
     keys_.clear();
     wheel_ = 0.0F;
     std::fill(std::begin(went_down_), std::end(went_down_), false);
-    bool has_button = false;
+    pointer_ = waiting_.empty() ? pointer : pointer_;
+    if (!std::exchange(has_begun_, true)) {
+        return;
+    }
+    bool has_motion = false;
     while (!waiting_.empty()) {
-        const WindowEvent& event = waiting_.front();
-        if (const auto* const button = std::get_if<MouseButtonEvent>(&event)) {
-            if (has_button) {
-                return;
-            }
-            has_button = true;
+        const WindowEvent event = waiting_.front();
+        const auto* const button = std::get_if<MouseButtonEvent>(&event);
+        const auto* const key = std::get_if<KeyEvent>(&event);
+        if ((button != nullptr || key != nullptr) && has_motion) {
+            return;
+        }
+        waiting_.pop_front();
+        if (button != nullptr) {
             pointer_ = {button->x, button->y};
             is_down_[index_of(button->button)] = button->is_down;
             went_down_[index_of(button->button)] = button->is_down;
-        } else if (const auto* const drag = std::get_if<MouseDragEvent>(&event)) {
-            // A press is seen where it was, also when the pointer went on at once.
-            if (has_button) {
-                return;
-            }
+            return;
+        }
+        if (key != nullptr) {
+            keys_.push_back(*key);
+            return;
+        }
+        has_motion = true;
+        if (const auto* const drag = std::get_if<MouseDragEvent>(&event)) {
             pointer_ = {drag->x, drag->y};
         } else if (const auto* const scroll = std::get_if<ScrollEvent>(&event)) {
+            pointer_ = pointer;
             wheel_ += scroll->dy;
-        } else if (const auto* const key = std::get_if<KeyEvent>(&event)) {
-            keys_.push_back(*key);
         }
-        waiting_.pop_front();
-    }
-    if (!has_button) {
-        pointer_ = pointer;
     }
 }
 

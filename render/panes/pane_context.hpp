@@ -25,13 +25,17 @@ struct PaneArea {
     friend bool operator==(const PaneArea&, const PaneArea&) = default;
 };
 
+/// Pixels a unit in a window of this size: more in a large one, in quarters, so that letters grow
+/// half as much as the window. `content_scale` as of Window.
+[[nodiscard]] float pane_scale(int width, int height, float content_scale) noexcept;
+
 /// What a pane needs to put itself into a frame. All places are in units, y down, from the top left
 /// corner of the area.
 struct PaneFrame {
     Pen pen;                             ///< draws in units
     Box area;                            ///< all of it
     glm::vec2 pointer{};                 ///< where it is
-    std::span<const KeyEvent> keys;      ///< pressed since the frame before
+    std::span<const KeyEvent> keys;      ///< pressed since the frame before: one at most
     float wheel = 0.0F;                  ///< steps since then; up is positive
     std::vector<MouseButton> held;       ///< buttons that are down
     std::vector<MouseButton> went_down;  ///< since the frame before
@@ -47,8 +51,8 @@ struct PaneFrame {
 ///     draw_something(context.begin({.width = 1280, .height = 720}, window.pointer()), state);
 ///     context.end();
 ///
-/// One press or release of a button a frame: a click that came and went between two frames is seen
-/// as two. Threads: one. Real-time: no.
+/// A frame has one key, one press or release of a button, or motion, so that each finds what the
+/// one before has changed, however quickly they come. Threads: one. Real-time: no.
 class PaneContext {
  public:
     PaneContext();
@@ -88,6 +92,7 @@ class PaneContext {
     std::vector<KeyEvent> keys_;  // of this frame
     PointerPlace pointer_;        // of this frame; pixels
     float wheel_ = 0.0F;
+    bool has_begun_ = false;  // a first frame
     bool is_down_[3] = {};
     bool went_down_[3] = {};
 };

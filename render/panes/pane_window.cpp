@@ -63,9 +63,8 @@ void PaneWindow::run(PaneContent& content, const std::function<bool()>& is_stop_
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
         glClearColor(0.07F, 0.08F, 0.12F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT);
-        host_.draw(target, window_.content_scale(), pointer, [&](const PaneFrame& frame) {
-            content.draw(frame);
-        });
+        const float scale = pane_scale(target.width, target.height, window_.content_scale());
+        host_.draw(target, scale, pointer, [&](const PaneFrame& frame) { content.draw(frame); });
         window_.present();
     }
 }

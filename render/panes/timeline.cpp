@@ -32,7 +32,10 @@ TimelineParts parts_of(const Box& box, std::size_t rows) {
 void draw_curve(const PaneFrame& frame, const Box& box, const TimelineState& state) {
     const float step = 1.0F / frame.pen.unit();
     const auto count = std::min(state.curve.size(), state.frame_count);
-    for (float x = box.x; x < box.right(); x += step) {
+    const auto columns = static_cast<int>(std::round(box.width / step));
+    const float left = std::round(box.x / step);
+    for (int column = 0; column < columns; ++column) {
+        const float x = (left + static_cast<float>(column)) * step;
         const std::size_t first = timeline_frame(box, x, state.frame_count);
         const std::size_t end =
             std::max(timeline_frame(box, x + step, state.frame_count), first + 1);

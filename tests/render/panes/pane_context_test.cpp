@@ -70,33 +70,62 @@ TEST_F(PaneClicks, places_are_units_and_not_pixels) {
               1);
 }
 
-TEST(PaneFrame, has_the_keys_and_the_wheel_of_its_time) {
+TEST(PaneFrame, has_the_wheel_of_its_time) {
     PaneContext context;
-    context.take(std::vector<WindowEvent>{
-        KeyEvent{.key = key_of(U'a')}, ScrollEvent{0.0F, 1.0F}, ScrollEvent{0.0F, 2.0F}});
-    const PaneFrame first = context.begin(kArea, {});
-    ASSERT_EQ(first.keys.size(), 1U);
-    EXPECT_EQ(first.keys.front().key, key_of(U'a'));
-    EXPECT_EQ(first.wheel, 3.0F);
-    context.end();
-    const PaneFrame second = context.begin(kArea, {});
-    EXPECT_TRUE(second.keys.empty());
-    EXPECT_EQ(second.wheel, 0.0F);
-    context.end();
+    context.take(std::vector<WindowEvent>{ScrollEvent{0.0F, 1.0F}, ScrollEvent{0.0F, 2.0F}});
+    std::vector<float> wheel;
+    for (int i = 0; i < 3; ++i) {
+        wheel.push_back(context.begin(kArea, {}).wheel);
+        context.end();
+    }
+    EXPECT_EQ(wheel, (std::vector<float>{0.0F, 3.0F, 0.0F})) << "nothing in the first frame of all";
 }
 
-TEST(PaneFrame, sees_a_press_where_it_was_and_then_the_drag) {
+TEST(PaneFrame, sees_press_drag_and_release_one_after_the_other) {
     PaneContext context;
-    context.take(std::vector<WindowEvent>{
-        button(true, 10, 20), MouseDragEvent{.x = 50.0F, .y = 60.0F}, button(false, 50, 60)});
-    const PaneFrame press = context.begin(kArea, {90.0F, 90.0F});
-    EXPECT_TRUE(press.has_pressed(MouseButton::left));
-    EXPECT_EQ(press.pointer, glm::vec2(10.0F, 20.0F));
-    context.end();
-    const PaneFrame release = context.begin(kArea, {90.0F, 90.0F});
-    EXPECT_FALSE(release.holds(MouseButton::left));
-    EXPECT_EQ(release.pointer, glm::vec2(50.0F, 60.0F));
-    context.end();
+    context.take(std::vector<WindowEvent>{button(true, 10, 20),
+                                          MouseDragEvent{.x = 30.0F, .y = 40.0F},
+                                          MouseDragEvent{.x = 50.0F, .y = 60.0F},
+                                          button(false, 51, 60)});
+    std::vector<glm::vec2> places;
+    std::vector<bool> held;
+    while (context.has_waiting()) {
+        const PaneFrame frame = context.begin(kArea, {51.0F, 60.0F});
+        places.push_back(frame.pointer);
+        held.push_back(frame.holds(MouseButton::left));
+        context.end();
+    }
+    ASSERT_EQ(places.size(), 4U) << "the first frame takes up nothing";
+    EXPECT_EQ(places[1], glm::vec2(10.0F, 20.0F));
+    EXPECT_EQ(held, (std::vector<bool>{false, true, true, false}));
+    EXPECT_EQ(places[3], glm::vec2(51.0F, 60.0F));
+}
+
+TEST(PaneFrame, has_one_key_or_change_of_a_button) {
+    PaneContext context;
+    context.take(std::vector<WindowEvent>{KeyEvent{.key = key_of(U'a')},
+                                          KeyEvent{.key = key_of(U'b')},
+                                          button(true, 5, 5),
+                                          KeyEvent{.key = key_of(U'c')},
+                                          button(false, 5, 5)});
+    std::vector<std::size_t> keys;
+    std::vector<bool> held;
+    while (context.has_waiting()) {
+        const PaneFrame frame = context.begin(kArea, {});
+        keys.push_back(frame.keys.size());
+        held.push_back(frame.holds(MouseButton::left));
+        context.end();
+    }
+    EXPECT_EQ(keys, (std::vector<std::size_t>{0, 1, 1, 0, 1, 0}));
+    EXPECT_EQ(held, (std::vector<bool>{false, false, false, true, true, false}));
+}
+
+TEST(PaneScale, grows_half_as_much_as_the_window_in_quarters) {
+    EXPECT_EQ(pane_scale(1280, 720, 1.0F), 1.0F);
+    EXPECT_EQ(pane_scale(800, 480, 1.0F), 1.0F);
+    EXPECT_EQ(pane_scale(1920, 1080, 1.0F), 1.25F);
+    EXPECT_EQ(pane_scale(3840, 2160, 1.0F), 2.0F);
+    EXPECT_EQ(pane_scale(2560, 1440, 2.0F), 2.0F);
 }
 
 TEST(PaneNames, of_paints_have_their_colours_and_others_one_each) {

@@ -85,12 +85,14 @@ TEST(PictureView, tells_press_drag_and_release_in_pixels_of_the_picture) {
     const auto all = gestures({MouseButtonEvent{MouseButton::left, true, 110.5F, 70.5F},
                                MouseDragEvent{.x = 120.5F, .y = 75.5F},
                                MouseButtonEvent{MouseButton::left, false, 120.5F, 75.5F}});
-    ASSERT_EQ(all.size(), 3U);
+    ASSERT_EQ(all.size(), 4U);
     EXPECT_EQ(all[0].kind, PictureGesture::Kind::none);
     EXPECT_EQ(all[1].kind, PictureGesture::Kind::press);
     expect_near(all[1].pixel, {100.0, 50.0}, 1e-3);
-    EXPECT_EQ(all[2].kind, PictureGesture::Kind::release);
+    EXPECT_EQ(all[2].kind, PictureGesture::Kind::drag);
     expect_near(all[2].pixel, {110.0, 55.0}, 1e-3);
+    EXPECT_EQ(all[3].kind, PictureGesture::Kind::release);
+    expect_near(all[3].pixel, {110.0, 55.0}, 1e-3);
 }
 
 TEST(PictureView, zooms_by_the_wheel_and_only_over_the_picture) {

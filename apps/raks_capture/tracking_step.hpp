@@ -1,0 +1,34 @@
+// Tracking step: what the markers of a capture are followed by.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "apps/raks_capture/capture_plan.hpp"
+#include "motion/capture/pictures/chroma.hpp"
+#include "motion/capture/tracking/marker_tracker.hpp"
+
+namespace raks::apps {
+
+/// All that tracks follow from.
+struct TrackingGiven {
+    capture::Rig rig;
+    capture::MarkerSet markers;
+    capture::Observations seen;
+    std::vector<capture::Clock> clocks;
+    std::vector<capture::MarkerLabel> labels;
+    std::vector<capture::Edit> edits;
+    capture::TrackerOptions options;  ///< by capture.toml
+};
+
+/// Reads it from the folder of a capture; looks for markers in the films where that is still to be
+/// done. Errors: those of the files, and of seen_by_cameras.
+[[nodiscard]] Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
+                                                    const std::filesystem::path& labels,
+                                                    capture::ChromaForm form);
+
+/// Follows the markers with these edits instead of those that were read. Errors: as track_markers.
+[[nodiscard]] Expected<capture::TrackerStages> track_with(const TrackingGiven& given,
+                                                          const std::vector<capture::Edit>& edits);
+
+}  // namespace raks::apps
