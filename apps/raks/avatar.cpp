@@ -69,6 +69,8 @@ Expected<void> write_thumbnail(const AvatarShowArguments& arguments, render::Mod
     engine::AvatarModel figure{std::move(model), {}};
     if (render::missing_bones(figure.model.character.humanoid).empty()) {
         figure.options = engine::stand_model(figure.model, arguments.options.height);
+    } else {
+        stand_thing(figure);
     }
     const auto loaded = engine::make_avatar(figure, arguments.model);
     const render::Avatar& avatar = *loaded.avatar;
@@ -151,7 +153,8 @@ ExitCode avatar_show(const AvatarShowArguments& arguments) {
     if (!model) {
         return fail(model.error());
     }
-    if (auto found = find_bones(*model, arguments.options.labels); !found) {
+    const Path labels = engine::find_labels(*file, arguments.options.labels);
+    if (auto found = find_bones(*model, labels); !found) {
         return fail(found.error());
     }
     const auto height = dancing_height(*model, arguments.options.height);

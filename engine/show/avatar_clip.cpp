@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "engine/show/avatar_files.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
@@ -103,7 +104,7 @@ class AvatarClipReader {
         if (model.animated_face.is_vrma) {
             return vrma_clip(keeper, *index);
         }
-        if (auto found = find_bones(model, labels); !found) {
+        if (auto found = find_bones(model, find_labels(file_, labels)); !found) {
             return fail(found.error());
         }
         return own_clip(keeper, *index);

@@ -68,4 +68,14 @@ Expected<fs::path> find_avatar(const std::string& name) {
     return *found;
 }
 
+fs::path find_labels(const fs::path& model, const fs::path& asked) {
+    if (!asked.empty()) {
+        return asked;
+    }
+    fs::path beside = model;
+    beside.replace_extension(".labels.toml");
+    std::error_code ignored;
+    return fs::is_regular_file(beside, ignored) ? beside : fs::path();
+}
+
 }  // namespace raks::engine

@@ -25,4 +25,9 @@ inline constexpr std::string_view kMannequinName = "mannequin";
 /// Threads: main.
 [[nodiscard]] Expected<std::filesystem::path> find_avatar(const std::string& name);
 
+/// The label file of a model (render::BoneLabels): `asked` if it is not empty, else the one beside
+/// the model, me.labels.toml of me.3ds, if it is there. Empty: none. Threads: any.
+[[nodiscard]] std::filesystem::path find_labels(const std::filesystem::path& model,
+                                                const std::filesystem::path& asked);
+
 }  // namespace raks::engine

@@ -5,6 +5,7 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "engine/show/avatar_files.hpp"
 #include "engine/show/standing_model.hpp"
 #include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
@@ -47,7 +48,7 @@ Expected<AvatarModel> load_avatar_model(const fs::path& file, const AvatarOption
     if (!model) {
         return fail(std::move(model.error()));
     }
-    if (auto found = find_bones(*model, options.labels); !found) {
+    if (auto found = find_bones(*model, find_labels(file, options.labels)); !found) {
         return fail(std::move(found.error()).in(printable(file.string())));
     }
     const std::string missing = render::missing_bones(model->character.humanoid);

@@ -14,7 +14,8 @@ namespace raks::engine {
 struct AvatarOptions {
     /// Metres, above 0; none: its own where that is 0.5 to 2.5 m, else 1.7.
     std::optional<float> height;
-    std::filesystem::path labels;  ///< a label file (render::BoneLabels); empty: none
+    /// A label file (render::BoneLabels); empty: the one beside the model, if there is one.
+    std::filesystem::path labels;
 };
 
 /// Finds the bones of a model: those that it names itself, else by the label file, by names and by

@@ -1,5 +1,7 @@
 #include "render/avatar/humanoid_rig.hpp"
 
+#include "render/avatar/limb_parts.hpp"
+
 #include <glm/matrix.hpp>
 
 namespace raks::render {
@@ -18,8 +20,10 @@ HumanoidRig HumanoidRig::build(const JointTree& tree,
                                const HumanoidMap& map,
                                const JointState& t_pose) {
     HumanoidRig rig;
+    std::array<bool, motion::kBoneCount> is_there{};
     for (std::size_t b = 0; b < motion::kBoneCount; ++b) {
         rig.joints_[b] = tree.joint_of(map.nodes[b]);
+        is_there[b] = rig.joints_[b] >= 0;
     }
     for (std::size_t b = 0; b < motion::kBoneCount; ++b) {
         const auto bone = static_cast<Bone>(b);
@@ -40,6 +44,11 @@ HumanoidRig HumanoidRig::build(const JointTree& tree,
             }
             driven.lacking[driven.lacking_count++] = up;
         }
+        for (std::size_t limb = 0; limb < kLimbs.size(); ++limb) {
+            if (kLimbs[limb].upper == bone && is_one_part(kLimbs[limb], is_there)) {
+                driven.limb = static_cast<int>(limb);
+            }
+        }
         rig.rest_places_[b] = glm::vec3(t_pose.world[joint][3]);
         rig.driven_.push_back(driven);
     }
@@ -59,6 +68,10 @@ void HumanoidRig::apply(const motion::Pose& pose,
         glm::quat rotation = pose.rotation(driven.bone);
         for (std::size_t i = 0; i < driven.lacking_count; ++i) {
             rotation = pose.rotation(driven.lacking[i]) * rotation;
+        }
+        if (driven.limb >= 0) {
+            rotation =
+                rotation * swing_of_part(kLimbs[static_cast<std::size_t>(driven.limb)], pose);
         }
         state.rotations[driven.joint] = glm::normalize(driven.before * rotation * driven.after);
     }

@@ -17,7 +17,8 @@ namespace raks::render {
 /// Poses are rotations against the T-pose in the avatar's axes. With L the local and W the world
 /// rotation of a joint in the model's T-pose, a bone's rotation q becomes L W^-1 q W
 /// (VRMC_vrm_animation 1.0, how_to_transform_human_pose). Rotations of bones that a model lacks are
-/// multiplied into the next bones towards the tips that it has.
+/// multiplied into the next bones towards the tips that it has. A limb that is one rigid part
+/// points from its joint to where its hand or foot would be.
 class HumanoidRig {
  public:
     /// `nodes`: the model's map. `t_pose`: the joints in the model's T-pose; for VRM this is the
@@ -53,6 +54,7 @@ class HumanoidRig {
         // Bones between this one and the next mapped one above it, nearest first.
         std::array<motion::Bone, 4> lacking{};
         std::uint8_t lacking_count = 0;
+        int limb = -1;  // in kLimbs: it is all of one, which points where its end would be
     };
 
     std::array<int, motion::kBoneCount> joints_{};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/avatar/body_measure.hpp"
+#include "render/avatar/limb_parts.hpp"
 #include "render/avatar/surface_builder.hpp"
 
 namespace raks::render {
@@ -47,7 +48,12 @@ Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOpti
     avatar.rig = rig;
     // Without hips it is a thing, no figure.
     if (rig->humanoid.joint(motion::Bone::hips) >= 0) {
-        const MeasuredBody body = measure_body(flesh_of(avatar), bones_of(rig->humanoid));
+        std::vector<FleshPoint> flesh = flesh_of(avatar);
+        BonePlaces bones = bones_of(rig->humanoid);
+        if (model.character.humanoid.is_of_parts) {
+            add_lacking_joints(flesh, bones);
+        }
+        const MeasuredBody body = measure_body(flesh, bones);
         avatar.skeleton = body.skeleton;
         avatar.soles = body.soles;
         avatar.height = body.height;

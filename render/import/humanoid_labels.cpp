@@ -21,6 +21,35 @@ void read_label_head(const toml::table& root, TomlComplaints& complaints) {
     complaints.check_keys(root, kKeys);
 }
 
+/// An axis by its name; 0 and a complaint where it is none.
+glm::vec3 read_bone_axis(const toml::node& node, TomlComplaints& complaints) {
+    constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "-x", "-y", "-z"};
+    const std::size_t word = complaints.word(node, "axis", kAxes);
+    glm::vec3 axis(0.0F);
+    if (complaints.is_sound()) {
+        axis[static_cast<int>(word % 3)] = word < 3 ? 1.0F : -1.0F;
+    }
+    return axis;
+}
+
+BoneLabel read_bone_label(const toml::table& bones,
+                          std::string_view name,
+                          motion::Bone bone,
+                          TomlComplaints& complaints) {
+    const toml::table* const parts = bones[name].as_table();
+    if (parts == nullptr) {
+        return {.bone = bone, .node = complaints.text(bones, name)};
+    }
+    constexpr std::array<std::string_view, 2> kKeys = {"node", "axis"};
+    complaints.check_keys(*parts, kKeys);
+    static_cast<void>(complaints.needed(*parts, "node", "node = \"...\""));
+    BoneLabel label{.bone = bone, .node = complaints.text(*parts, "node")};
+    if (const toml::node* const axis = parts->get("axis")) {
+        label.axis = read_bone_axis(*axis, complaints);
+    }
+    return label;
+}
+
 }  // namespace
 
 Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file) {
@@ -41,8 +70,8 @@ Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& 
         const auto* const found =
             std::find(motion::kBoneNames.begin(), motion::kBoneNames.end(), key.str());
         if (found != motion::kBoneNames.end()) {
-            labels.bones.push_back({static_cast<motion::Bone>(found - motion::kBoneNames.begin()),
-                                    complaints.text(*bones, key.str())});
+            const auto bone = static_cast<motion::Bone>(found - motion::kBoneNames.begin());
+            labels.bones.push_back(read_bone_label(*bones, key.str(), bone, complaints));
         }
     }
     if (!complaints.is_sound()) {

@@ -9,12 +9,16 @@
 #include "base/expected.hpp"
 #include "motion/skeleton/humanoid.hpp"
 
+#include <glm/vec3.hpp>
+
 namespace raks::render {
 
 /// One line of a label file.
 struct BoneLabel {
     motion::Bone bone = motion::Bone::hips;
     std::string node;  ///< name
+    /// Where the bone points at rest, along an axis of the node; 0: found by what hangs on it.
+    glm::vec3 axis{0.0F};
 };
 
 /// What a label file says.
@@ -24,6 +28,7 @@ struct BoneLabel {
 ///     [bones]
 ///     hips = "Pelvis"
 ///     leftUpperLeg = "thigh_01"
+///     leftUpperArm = {node = "arm-left", axis = "-y"}
 struct BoneLabels {
     std::string file;  ///< its name, for messages
     std::vector<BoneLabel> bones;
@@ -31,7 +36,8 @@ struct BoneLabels {
 
 /// Reads a label file. `file`: its name, for messages. Errors, in one line with their place: not
 /// TOML, another format or version, a bone that VRM 1.0 does not know (with the nearest), a bone
-/// that no dance moves (eyes, jaw), a value that is no text, no bones.
+/// that no dance moves (eyes, jaw), a value that is neither a text nor a table of node and axis, an
+/// axis that is none of x, y, z, -x, -y, -z, no bones.
 [[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
 
 }  // namespace raks::render

@@ -46,7 +46,8 @@ Expected<int> labelled_node(const Model& model,
     return fail(fmt::format("{}: {}: the model has no node \"{}\"", labels.file, bone, label.node));
 }
 
-Expected<HumanoidMap> map_by_labels(const Model& model, const BoneLabels& labels) {
+/// What labels say that can be: a line that cannot is said, and the rest is kept.
+HumanoidMap map_by_labels(Model& model, const BoneLabels& labels) {
     std::vector<bool> is_joint(model.nodes.size(), false);
     for (const ModelSkin& skin : model.skins) {
         for (const int joint : skin.joints) {
@@ -55,20 +56,24 @@ Expected<HumanoidMap> map_by_labels(const Model& model, const BoneLabels& labels
     }
     HumanoidMap map;
     for (const BoneLabel& label : labels.bones) {
+        const std::size_t bone = motion::index_of(label.bone);
         const Expected<int> node = labelled_node(model, is_joint, labels, label);
         if (!node) {
-            return fail(node.error());
+            warn(model, node.error().message + "; left out");
+            continue;
         }
-        for (int bone = 0; bone < motion::kBoneCount; ++bone) {
-            if (map.nodes[static_cast<std::size_t>(bone)] == *node) {
-                return fail(fmt::format("{}: {} and {} are one node",
-                                        labels.file,
-                                        motion::kBoneNames[static_cast<std::size_t>(bone)],
-                                        motion::kBoneNames[motion::index_of(label.bone)]));
-            }
+        const auto* const same = std::find(map.nodes.begin(), map.nodes.end(), *node);
+        if (same != map.nodes.end()) {
+            warn(model,
+                 fmt::format("{}: {} and {} are one node; the latter is left out",
+                             labels.file,
+                             motion::kBoneNames[static_cast<std::size_t>(same - map.nodes.begin())],
+                             motion::kBoneNames[bone]));
+            continue;
         }
-        map.nodes[motion::index_of(label.bone)] = *node;
-        map.reasons[motion::index_of(label.bone)] = BoneReason::label;
+        map.nodes[bone] = *node;
+        map.axes[bone] = label.axis;
+        map.reasons[bone] = BoneReason::label;
     }
     return map;
 }
@@ -121,6 +126,7 @@ void swap_sides(HumanoidMap& map) {
         const std::size_t right = motion::index_of(mirrored(bone));
         if (left < right) {
             std::swap(map.nodes[left], map.nodes[right]);
+            std::swap(map.axes[left], map.axes[right]);
             for (const std::size_t at : {left, right}) {
                 map.reasons[at] = map.nodes[at] < 0 ? BoneReason::none : BoneReason::swapped;
             }
@@ -138,6 +144,12 @@ void check_sides(Model& model, HumanoidMap& map, std::span<const glm::mat4> worl
     }
 }
 
+bool has_all_bones(const HumanoidMap& map) {
+    return std::all_of(kRequiredBones.begin(), kRequiredBones.end(), [&map](Bone bone) {
+        return map.nodes[motion::index_of(bone)] >= 0;
+    });
+}
+
 Expected<void> refuse_without(const HumanoidMap& map) {
     const std::string missing = missing_bones(map);
     return fail(
@@ -148,7 +160,9 @@ Expected<void> refuse_without(const HumanoidMap& map) {
 
 std::string missing_bones(const HumanoidMap& humanoid) {
     std::string missing;
-    for (const Bone bone : kRequiredBones) {
+    const auto needed = humanoid.is_of_parts ? std::span<const Bone>(kRequiredParts)
+                                             : std::span<const Bone>(kRequiredBones);
+    for (const Bone bone : needed) {
         if (humanoid.nodes[motion::index_of(bone)] < 0) {
             missing += missing.empty() ? "" : ", ";
             missing += motion::kBoneNames[motion::index_of(bone)];
@@ -188,19 +202,16 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
     const std::vector<glm::vec3> places = places_of(world);
     HumanoidMap map;
     if (labels != nullptr) {
-        Expected<HumanoidMap> said = map_by_labels(model, *labels);
-        if (!said) {
-            return fail(said.error());
-        }
-        map = *said;
+        map = map_by_labels(model, *labels);
     }
+    map.is_of_parts = model.skins.empty() && !model.meshes.empty();
     const HumanoidMap named = map_by_names(model);
     const std::vector<Bone> all = all_bones();
     fill(map, named, std::span<const Bone>(all));
     map.left_eye = named.left_eye;
     map.right_eye = named.right_eye;
     map.jaw = named.jaw;
-    if (!missing_bones(map).empty()) {
+    if (!has_all_bones(map)) {
         const HumanoidMap shaped = map_by_shape(model, places);
         const bool is_same = map.nodes[0] < 0 || map.nodes[0] == shaped.nodes[0];
         fill(map, shaped, is_same ? std::span<const Bone>(all) : kRequiredBones);

@@ -31,6 +31,17 @@ inline constexpr std::array<motion::Bone, 15> kRequiredBones = {
     motion::Bone::right_hand,
 };
 
+/// Those of a figure of rigid parts (HumanoidMap::is_of_parts): a limb may be one part, and trunk
+/// and head may be one.
+inline constexpr std::array<motion::Bone, 6> kRequiredParts = {
+    motion::Bone::hips,
+    motion::Bone::spine,
+    motion::Bone::left_upper_leg,
+    motion::Bone::left_upper_arm,
+    motion::Bone::right_upper_leg,
+    motion::Bone::right_upper_arm,
+};
+
 /// Names of the required bones that a map lacks, with commas; empty: it has them all.
 [[nodiscard]] std::string missing_bones(const HumanoidMap& humanoid);
 
@@ -43,9 +54,10 @@ inline constexpr std::array<motion::Bone, 15> kRequiredBones = {
 /// Finds the bones of a model that does not name them itself, and writes them to
 /// Model::character.humanoid: by `labels` where they are given, else by names, and what those
 /// leave open by shape. Checked against the places of the bones always: a left that lies right is
-/// swapped, with a warning. A model that names its bones (VRM, VRMA) is left as it is.
-/// Errors: required bones are missing (the line lists them), a label that names no node, a figure
-/// that is not upright (four legs).
+/// swapped, with a warning. A model that names its bones (VRM, VRMA) is left as it is. A label that
+/// names no node, or one of two bones, is a warning; the others hold.
+/// Errors: required bones are missing (the line lists them), a figure that is not upright (four
+/// legs).
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<void> map_humanoid(Model& model, const BoneLabels* labels = nullptr);
 

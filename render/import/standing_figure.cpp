@@ -96,9 +96,12 @@ glm::quat turn_to_front(const Model& model, std::span<const glm::vec3> places) {
 /// Straightens the limbs of a figure that faces +z.
 class Straightener {
  public:
-    Straightener(const HumanoidMap& humanoid, std::span<const glm::vec3> places)
-        : humanoid_(humanoid), places_(places) {
+    Straightener(const Model& model, std::span<const glm::mat4> world)
+        : humanoid_(model.character.humanoid), world_(world), places_(places_of(world)) {
         rotations_.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+        if (humanoid_.is_of_parts) {
+            offsets_ = mean_offsets(model, world);
+        }
     }
 
     std::array<glm::quat, motion::kBoneCount> straighten() {
@@ -126,18 +129,37 @@ class Straightener {
  private:
     glm::quat& rotation(Bone bone) { return rotations_[motion::index_of(bone)]; }
 
-    /// Turns `bone` as `before` is turned, and then by the shortest way so that its child lies in
-    /// `direction`. Where there is no child it goes along with `before`.
+    /// Where a bone points, of any length; 0: nothing tells. A label does, then what hangs on it,
+    /// then where a part that is a whole limb has its flesh, unless that is about right: flesh is
+    /// not even about a bone.
+    glm::vec3 pointing(Bone bone, Bone child, const glm::vec3& direction) const {
+        const int node = node_of_bone(humanoid_, bone);
+        const int next = node_of_bone(humanoid_, child);
+        const glm::vec3& axis = humanoid_.axes[motion::index_of(bone)];
+        if (node < 0 || axis != glm::vec3(0.0F)) {
+            return node < 0 ? glm::vec3(0.0F)
+                            : glm::mat3(world_[static_cast<std::size_t>(node)]) * axis;
+        }
+        if (next >= 0) {
+            return places_[static_cast<std::size_t>(next)] -
+                   places_[static_cast<std::size_t>(node)];
+        }
+        const bool is_hand = bone == Bone::left_hand || bone == Bone::right_hand;
+        if (offsets_.empty() || is_hand) {
+            return glm::vec3(0.0F);
+        }
+        constexpr float kAboutRight = 0.9F;  // cosine of 26 degrees
+        const glm::vec3& flesh = offsets_[static_cast<std::size_t>(node)];
+        return glm::dot(flesh, direction) < kAboutRight * glm::length(flesh) ? flesh
+                                                                             : glm::vec3(0.0F);
+    }
+
+    /// Turns `bone` as `before` is turned, and then by the shortest way so that it points in
+    /// `direction`. Where nothing tells where it points it goes along with `before`.
     void align(Bone bone, Bone child, Bone before, const glm::vec3& direction) {
         const glm::quat so_far = rotation(before);
         rotation(bone) = so_far;
-        const int from = node_of_bone(humanoid_, bone);
-        const int to = node_of_bone(humanoid_, child);
-        if (from < 0 || to < 0) {
-            return;
-        }
-        const glm::vec3 along =
-            places_[static_cast<std::size_t>(to)] - places_[static_cast<std::size_t>(from)];
+        const glm::vec3 along = pointing(bone, child, glm::inverse(so_far) * direction);
         if (glm::length(along) > 1.0e-5F) {
             rotation(bone) = glm::normalize(
                 shortest_rotation(so_far * glm::normalize(along), direction) * so_far);
@@ -145,7 +167,9 @@ class Straightener {
     }
 
     const HumanoidMap& humanoid_;
-    std::span<const glm::vec3> places_;
+    std::span<const glm::mat4> world_;
+    std::vector<glm::vec3> places_;
+    std::vector<glm::vec3> offsets_;  // of parts: the middle of the flesh against the joint
     std::array<glm::quat, motion::kBoneCount> rotations_{};
 };
 
@@ -177,7 +201,7 @@ StandingFigure stand_up(Model& model, std::optional<float> height) {
     const std::vector<glm::vec3> places = places_of(figure.world);
     figure.straighten.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
     if (!is_vrm) {
-        figure.straighten = Straightener(model.character.humanoid, places).straighten();
+        figure.straighten = Straightener(model, figure.world).straighten();
     }
     figure.height = height_of(model, figure.world, places);
     const bool is_usual = figure.height >= kLeastHeight && figure.height <= kMostHeight;

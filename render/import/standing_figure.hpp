@@ -29,7 +29,8 @@ struct StandingFigure {
     /// it, too.
     glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F};
     /// For each bone the rotation, in the turned world, from `world` to the T-pose: arms along +x
-    /// and -x, legs down. The identity for trunk, head, shoulders, feet and toes, for bones that
+    /// and -x, legs down, by what hangs on them, or as a label says; a rigid part that is a whole
+    /// limb by its flesh. The identity for trunk, head, shoulders, feet and toes, for bones that
     /// are not there, and for all of VRM.
     std::array<glm::quat, motion::kBoneCount> straighten;
     /// Of the mesh, else of the joints, in the file's unit; above 0.

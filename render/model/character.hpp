@@ -37,6 +37,10 @@ struct HumanoidMap {
         return none;
     }();
     std::array<BoneReason, motion::kBoneCount> reasons{};
+    /// Where bones point at rest, in the axes of their nodes, as a label file says; 0: it does not.
+    std::array<glm::vec3, motion::kBoneCount> axes{};
+    /// Rigid parts that no skin joins: one of them may be a whole limb, or trunk and head.
+    bool is_of_parts = false;
     int left_eye = -1;
     int right_eye = -1;
     int jaw = -1;

@@ -91,7 +91,7 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
 }
 
 std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) {
-    constexpr std::array<std::pair<std::string_view, MotionFormat>, 13> kEndings = {
+    constexpr std::array<std::pair<std::string_view, MotionFormat>, 14> kEndings = {
         {{".bvh", MotionFormat::bvh},
          {".amc", MotionFormat::amc},
          {".asf", MotionFormat::asf},
@@ -104,7 +104,8 @@ std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) 
          {".gltf", MotionFormat::model},
          {".glb", MotionFormat::model},
          {".vrm", MotionFormat::model},
-         {".vrma", MotionFormat::model}}};
+         {".vrma", MotionFormat::model},
+         {".3ds", MotionFormat::model}}};
     const std::string ending = lower(name.extension().string());
     const auto* const found = std::find_if(
         kEndings.begin(), kEndings.end(), [&](const auto& each) { return each.first == ending; });

@@ -165,19 +165,109 @@ TEST(BoneLabels, bad_files_are_refused_in_one_line) {
               std::string::npos);
 }
 
-TEST(BoneLabels, nodes_that_are_not_there_or_serve_twice_are_refused) {
+TEST(BoneLabels, nodes_that_are_not_there_or_serve_twice_are_said_and_the_rest_is_kept) {
     const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
+    const auto mapped = [&head](const std::string& lines, bool has_two) {
+        Model model = figure_named("Bone.");
+        model.nodes[3].name = has_two ? "Bone.0" : "Bone.3";
+        const auto labels = read_bone_labels(head + lines + "leftHand = \"Bone.8\"\n", "me.toml");
+        EXPECT_TRUE(map_humanoid(model, &*labels));
+        EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::left_hand)],
+                  BoneReason::label);
+        EXPECT_EQ(node_of_bone(model, Bone::hips), 0);
+        return model;
+    };
+    EXPECT_TRUE(warns(mapped("hips = \"Pelvis\"\n", false),
+                      "me.toml: hips: the model has no node \"Pelvis\"; left out"));
+    EXPECT_TRUE(warns(mapped("hips = \"Bone.0\"\nspine = \"Bone.0\"\n", false),
+                      "me.toml: hips and spine are one node; the latter is left out"));
+    EXPECT_TRUE(warns(mapped("hips = \"Bone.0\"\n", true),
+                      "me.toml: hips: two nodes are named \"Bone.0\"; left out"));
+}
+
+TEST(BoneLabels, of_a_bone_under_its_own_child_are_left_out_and_said) {
     Model model = figure_named("Bone.");
-    const auto none = read_bone_labels(head + "hips = \"Pelvis\"\n", "me.toml");
-    EXPECT_EQ(map_humanoid(model, &*none).error().message,
-              "me.toml: hips: the model has no node \"Pelvis\"");
-    const auto twice =
-        read_bone_labels(head + "hips = \"Bone.0\"\nspine = \"Bone.0\"\n", "me.toml");
-    EXPECT_EQ(map_humanoid(model, &*twice).error().message, "me.toml: hips and spine are one node");
-    model.nodes[3].name = "Bone.0";
-    const auto two = read_bone_labels(head + "hips = \"Bone.0\"\n", "me.toml");
-    EXPECT_EQ(map_humanoid(model, &*two).error().message,
-              "me.toml: hips: two nodes are named \"Bone.0\"");
+    const auto labels = read_bone_labels(
+        "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n"
+        "leftUpperLeg = \"Bone.5\"\nleftLowerLeg = \"Bone.4\"\n",
+        "me.toml");
+    static_cast<void>(map_humanoid(model, &*labels));
+    EXPECT_TRUE(warns(model, "it carries the leftUpperLeg; left out"));
+}
+
+/// A man of six parts without a skin: trunk with arms, hips with legs; arms hang.
+Model part_man() {
+    Model model;
+    const auto add =
+        [&model](const char* name, int parent, const glm::vec3& place, const glm::vec3& end) {
+            const int node = test::add_node(model, name, parent, place);
+            ModelPrimitive flesh;
+            flesh.positions = {glm::vec3(0.0F), end, 0.5F * end + glm::vec3(0.0F, 0.0F, 0.01F)};
+            flesh.indices = {0, 1, 2};
+            model.nodes[static_cast<std::size_t>(node)].mesh =
+                static_cast<int>(model.meshes.size());
+            model.meshes.emplace_back().primitives = {flesh};
+            return node;
+        };
+    const int hips = add("root", -1, {0, 0.9F, 0}, {0, 0.1F, 0});
+    const int torso = add("torso", hips, {0, 0.1F, 0}, {0, 0.7F, 0});
+    add("leg-left", hips, {0.1F, 0, 0}, {0, -0.9F, 0});
+    add("leg-right", hips, {-0.1F, 0, 0}, {0, -0.9F, 0});
+    add("arm-left", torso, {0.2F, 0.4F, 0}, {0, -0.6F, 0});
+    add("arm-right", torso, {-0.2F, 0.4F, 0}, {0, -0.6F, 0});
+    return model;
+}
+
+/// Where the left arm's own -y, along which its flesh lies, points in the T-pose.
+glm::vec3 left_arm_in_t_pose(Model& model) {
+    const StandingFigure figure = stand_up(model);
+    const auto arm = motion::index_of(Bone::left_upper_arm);
+    const glm::mat3 world(
+        figure.world[static_cast<std::size_t>(model.character.humanoid.nodes[arm])]);
+    return figure.straighten[arm] * (world * glm::vec3(0.0F, -1.0F, 0.0F));
+}
+
+TEST(HumanoidMap, of_rigid_parts_needs_one_for_a_limb) {
+    Model model = part_man();
+    const auto mapped = map_humanoid(model);
+    ASSERT_TRUE(mapped) << mapped.error().message;
+    EXPECT_TRUE(model.character.humanoid.is_of_parts);
+    EXPECT_EQ(missing_bones(model.character.humanoid), "");
+    EXPECT_EQ(node_of_bone(model, Bone::hips), 0);
+    EXPECT_EQ(node_of_bone(model, Bone::left_upper_arm), 4);
+    EXPECT_EQ(node_of_bone(model, Bone::left_lower_arm), -1);
+    // Arms that hang are lifted by what flesh they have.
+    EXPECT_LT(glm::distance(left_arm_in_t_pose(model), glm::vec3(1, 0, 0)), 0.05F);
+}
+
+TEST(HumanoidMap, of_rigid_parts_lists_what_it_needs) {
+    Model model = part_man();
+    model.nodes[4].name = "thing";
+    const auto mapped = map_humanoid(model);
+    ASSERT_FALSE(mapped);
+    EXPECT_EQ(mapped.error().message,
+              "no humanoid is found in it: no leftUpperArm; name its bones in a label file");
+}
+
+TEST(BoneLabels, say_where_a_part_points_at_rest) {
+    const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
+    const auto labels =
+        read_bone_labels(head + "leftUpperArm = {node = \"arm-left\", axis = \"z\"}\n", "me.toml");
+    ASSERT_TRUE(labels) << labels.error().message;
+    EXPECT_EQ(labels->bones[0].node, "arm-left");
+    EXPECT_EQ(labels->bones[0].axis, glm::vec3(0, 0, 1));
+    Model model = part_man();
+    ASSERT_TRUE(map_humanoid(model, &*labels));
+    const StandingFigure figure = stand_up(model);
+    const glm::vec3 lifted =
+        figure.straighten[motion::index_of(Bone::left_upper_arm)] * glm::vec3(0.0F, 0.0F, 1.0F);
+    EXPECT_LT(glm::distance(lifted, glm::vec3(1, 0, 0)), 1e-5F);
+    for (const std::string value :
+         {"{axis = \"z\"}", "{node = \"a\", axis = \"up\"}", "{node = \"a\", turn = 3}", "[]"}) {
+        const auto bad = read_bone_labels(head + "leftUpperArm = " + value + "\n", "me.toml");
+        ASSERT_FALSE(bad) << value;
+        EXPECT_EQ(bad.error().message.rfind("me.toml: line 4: ", 0), 0U) << bad.error().message;
+    }
 }
 
 TEST(BoneLabels, any_damaged_text_is_read_or_refused) {
