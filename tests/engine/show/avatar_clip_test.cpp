@@ -91,13 +91,35 @@ TEST(AvatarModel, a_label_file_says_which_nodes_are_bones) {
     ASSERT_TRUE(said) << said.error().message;
     const auto hand = motion::index_of(Bone::left_hand);
     EXPECT_EQ(said->model.character.humanoid.reasons[hand], render::BoneReason::label);
-    EXPECT_NE(load("leftHand = \"claw\"\n").error().message.find("claw"), std::string::npos);
+    const auto wrong = load("leftHand = \"claw\"\n");  // the others hold
+    ASSERT_TRUE(wrong) << wrong.error().message;
+    ASSERT_FALSE(wrong->model.warnings.empty());
+    EXPECT_NE(wrong->model.warnings.front().find("no node \"claw\"; left out"), std::string::npos);
     EXPECT_NE(load("leftHnd = \"claw\"\n").error().message.find("leftHand"), std::string::npos);
     // VRM says so itself: the file is not needed, and that is said.
     const auto vrm = load("leftHand = \"claw\"\n", "smoke_spring.vrm");
     ASSERT_TRUE(vrm) << vrm.error().message;
     ASSERT_FALSE(vrm->model.warnings.empty());
     EXPECT_NE(vrm->model.warnings.back().find("not needed"), std::string::npos);
+}
+
+TEST(AvatarModel, of_3ds_takes_the_labels_that_lie_beside_it) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder / "me.3ds";
+    fs::copy_file(kModels / "derived_kenney_character.3ds", file);
+    const auto found = load_avatar_model(file);
+    ASSERT_TRUE(found) << found.error().message;
+    const auto head = motion::index_of(Bone::head);
+    EXPECT_EQ(found->model.character.humanoid.nodes[head], -1);
+    ASSERT_TRUE(write_file(folder / "me.labels.toml",
+                           "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n"
+                           "head = \"antenna\"\n"));
+    const auto labelled = load_avatar_model(file);
+    ASSERT_TRUE(labelled) << labelled.error().message;
+    const int node = labelled->model.character.humanoid.nodes[head];
+    ASSERT_GE(node, 0);
+    EXPECT_EQ(labelled->model.nodes[static_cast<std::size_t>(node)].name, "antenna");
+    EXPECT_EQ(labelled->model.character.humanoid.reasons[head], render::BoneReason::label);
 }
 
 }  // namespace
