@@ -1,16 +1,20 @@
 // `raks capture calibrate`: the cameras of a capture, from what they saw of a board.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "apps/raks_capture/calibration_choices.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/filmed_boards.hpp"
 #include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "base/printable.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -22,15 +26,16 @@ namespace {
 struct CalibrateArguments {
     Path folder;
     Path output;  ///< empty: rig.toml of the folder
-    Path clocks;  ///< of the calibration films; empty: all began at once
-    double every = 0.5;
-    int coefficients = 5;
-    std::optional<double> floor;  ///< seconds
-    std::optional<int> floor_picture;
+    CalibrationChoices choices;
+    Path rig;          ///< of another program; empty: the board is looked for
+    std::string unit;  ///< of that rig; empty: as it says
+    std::string up;    ///< likewise
     bool as_json = false;
 };
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kChoicesFile = "calibration.toml";
 
 Json edges_json(const capture::EdgeErrors& edges) {
     return {{"edges", edges.edges},
@@ -98,17 +103,20 @@ std::string report_text(const capture::RigCalibration& done) {
                       done.held_out.reprojection);
 }
 
-Expected<BoardSearch> search_of(const CalibrateArguments& arguments, ProgressLine& progress) {
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file of clocks or choices
+constexpr double kUsuallyEvery = 0.5;                      // seconds
+
+Expected<BoardSearch> search_of(const CalibrationChoices& choices, ProgressLine& progress) {
     BoardSearch search;
-    search.every = arguments.every;
+    search.every = choices.every.value_or(kUsuallyEvery);
     search.on_progress = [&progress](double share) { progress.show(share); };
-    if (!arguments.clocks.empty()) {
-        constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
-        const auto text = read_text_file(arguments.clocks, kMostBytes);
+    search.is_stop_requested = [] { return stop_signal().has_value(); };
+    if (!choices.clocks.empty()) {
+        const auto text = read_text_file(choices.clocks, kMostBytes);
         if (!text) {
             return fail(text.error());
         }
-        auto clocks = capture::read_clocks(*text, arguments.clocks.string());
+        auto clocks = capture::read_clocks(*text, choices.clocks);
         if (!clocks) {
             return fail(std::move(clocks.error()));
         }
@@ -118,9 +126,9 @@ Expected<BoardSearch> search_of(const CalibrateArguments& arguments, ProgressLin
 }
 
 Expected<capture::RigCalibration> calibrate_films(const CapturePlan& plan,
-                                                  const CalibrateArguments& arguments) {
+                                                  const CalibrationChoices& choices) {
     ProgressLine progress("looking for the board");
-    const auto search = search_of(arguments, progress);
+    const auto search = search_of(choices, progress);
     if (!search) {
         return fail(search.error());
     }
@@ -132,15 +140,71 @@ Expected<capture::RigCalibration> calibrate_films(const CapturePlan& plan,
         say(warning);
     }
     capture::CalibrationSettings settings;
-    settings.coefficients = arguments.coefficients;
-    if (arguments.floor_picture) {
-        settings.floor_moment = static_cast<std::size_t>(*arguments.floor_picture);
-    } else if (arguments.floor) {
+    settings.coefficients = choices.coefficients.value_or(settings.coefficients);
+    if (choices.floor_picture) {
+        settings.floor_moment = static_cast<std::size_t>(*choices.floor_picture);
+    } else if (choices.floor) {
         settings.floor_moment =
-            static_cast<std::size_t>(std::round(*arguments.floor / arguments.every));
+            static_cast<std::size_t>(std::round(*choices.floor / search->every));
     }
     progress.show("fitting cameras");
     return capture::calibrate_rig(plan.board, boards->cameras, boards->sightings, settings);
+}
+
+// What a person chose before, for what is not said now.
+Expected<CalibrationChoices> chosen_before(const CapturePlan& plan) {
+    const Path file = plan.file(kChoicesFile);
+    if (!is_there(file)) {
+        return CalibrationChoices{};
+    }
+    const auto text = read_text_file(file, kMostBytes);
+    return text ? parse_calibration_choices(*text, file.string()) : fail(text.error());
+}
+
+// What was chosen is kept for the next time, but for the clocks that `run` itself hands over.
+Expected<void> keep_choices(const CapturePlan& plan, CalibrationChoices choices) {
+    if (choices.clocks == plan.file("clocks.toml").string()) {
+        choices.clocks.clear();
+    }
+    return choices.are_none()
+               ? Expected<void>()
+               : write_file(plan.file(kChoicesFile), calibration_choices_text(choices));
+}
+
+// The cameras of another program's file become the capture's.
+ExitCode take_rig(const CapturePlan& plan,
+                  const CalibrateArguments& arguments,
+                  const Path& output) {
+    capture::RigReading reading;
+    if (!arguments.unit.empty()) {
+        reading.metres_per_unit = arguments.unit == "mm" ? 0.001 : 1.0;
+    }
+    if (!arguments.up.empty()) {
+        reading.up = arguments.up == "z" ? capture::UpAxis::z : capture::UpAxis::y;
+    }
+    const auto read = capture::read_rig(arguments.rig, reading);
+    if (!read) {
+        return fail(read.error());
+    }
+    for (const PlannedCamera& camera : plan.cameras) {
+        if (!read->rig.index_of(camera.name)) {
+            std::vector<std::string> names;
+            for (const capture::Camera& other : read->rig.cameras) {
+                names.push_back(printable(other.name, 40));
+            }
+            return fail(
+                fmt::format("{}: has no camera \"{}\" of capture.toml, but {}: name them alike",
+                            arguments.rig.string(),
+                            camera.name,
+                            fmt::join(names, ", ")));
+        }
+    }
+    for (const auto& lines : {read->notes, capture::rig_doubts(read->rig)}) {
+        for (const std::string& line : lines) {
+            say(arguments.rig.string() + ": " + line);
+        }
+    }
+    return exit_code_of(write_file(output, capture::rig_text(read->rig)));
 }
 
 ExitCode calibrate(const CalibrateArguments& arguments) {
@@ -148,11 +212,31 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
     if (!plan) {
         return fail(plan.error());
     }
-    const auto done = calibrate_films(*plan, arguments);
+    const Path output = arguments.output.empty() ? plan->file("rig.toml") : arguments.output;
+    if (!arguments.rig.empty()) {
+        return take_rig(*plan, arguments, output);
+    }
+    const auto before = chosen_before(*plan);
+    if (!before) {
+        return fail(before.error());
+    }
+    const CalibrationChoices choices = arguments.choices.over(*before);
+    if (choices.floor && !arguments.choices.floor) {
+        say(fmt::format("the board lay on the floor at {} s, as before ({})",
+                        *choices.floor,
+                        plan->file(kChoicesFile).string()));
+    }
+    const auto done = calibrate_films(*plan, choices);
+    if (stop_signal()) {
+        return exit_code_after_signals(kExitPartly);
+    }
     if (!done) {
         return fail(Error(done.error()).in(arguments.folder.string()));
     }
-    const Path output = arguments.output.empty() ? plan->file("rig.toml") : arguments.output;
+    // First the choices: the rig must not be older than they are.
+    if (const auto kept = keep_choices(*plan, choices); !kept) {
+        return fail(kept.error());
+    }
     if (const auto written = write_file(output, capture::rig_text(done->rig)); !written) {
         return fail(written.error());
     }
@@ -174,20 +258,28 @@ void add_calibrate(CommandTable& table) {
         table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
-    app->add_option("--clocks", arguments->clocks, "clocks of the calibration films (TOML)");
-    app->add_option("--every", arguments->every, "seconds between the pictures that are looked at")
+    CalibrationChoices& choices = arguments->choices;
+    app->add_option("--clocks", choices.clocks, "clocks of the calibration films (TOML)");
+    app->add_option("--every", choices.every, "seconds between the pictures that are looked at")
         ->check(in_range(0.01, 60.0));
     app->add_option(
-           "--coefficients", arguments->coefficients, "of the distortion: 5, or 8 for wide lenses")
+           "--coefficients", choices.coefficients, "of the distortion: 5, or 8 for wide lenses")
         ->check(CLI::IsMember({5, 8}));
     auto* const floor =
-        app->add_option("--floor", arguments->floor, "when the board lay on the floor, seconds")
+        app->add_option("--floor", choices.floor, "when the board lay on the floor, seconds")
             ->check(in_range(0.0, 86400.0));
-    app->add_option("--floor-picture",
-                    arguments->floor_picture,
-                    "the same by number, of folders of pictures")
+    app->add_option(
+           "--floor-picture", choices.floor_picture, "the same by number, of folders of pictures")
         ->check(in_range(0, 1'000'000))
         ->excludes(floor);
+    auto* const rig = app->add_option(
+        "--rig", arguments->rig, "cameras that another program calibrated, instead of a board");
+    app->add_option("--unit", arguments->unit, "of that rig, where it does not say")
+        ->check(one_of({"m", "mm"}))
+        ->needs(rig);
+    app->add_option("--up", arguments->up, "axis of that rig that points up")
+        ->check(one_of({"y", "z"}))
+        ->needs(rig);
     app->add_flag("--json", arguments->as_json, "print the report as JSON");
 }
 

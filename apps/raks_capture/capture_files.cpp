@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,18 @@ Expected<std::string> made_by(const std::filesystem::path& file, const char* ste
             fmt::format("{}: is not there; run raks capture {} first", file.string(), step));
     }
     return read_text_file(file, kLargestTable);
+}
+
+// What a table says; nothing where there is none.
+template <typename Row>
+Expected<std::vector<Row>> read_if_made(const std::filesystem::path& file,
+                                        Expected<std::vector<Row>> (*read)(std::string_view,
+                                                                           const std::string&)) {
+    if (!is_there(file)) {
+        return std::vector<Row>{};
+    }
+    const Expected<std::string> text = read_text_file(file, kLargestTable);
+    return text ? read(*text, file.string()) : fail(text.error());
 }
 
 }  // namespace
@@ -47,7 +60,22 @@ Expected<capture::Rig> load_capture_rig(const CapturePlan& plan) {
 Expected<std::vector<capture::Clock>> load_clocks(const CapturePlan& plan) {
     const std::filesystem::path file = plan.file("clocks.toml");
     const Expected<std::string> text = made_by(file, "sync");
-    return text ? capture::read_clocks(*text, file.string()) : fail(text.error());
+    auto clocks = text ? capture::read_clocks(*text, file.string()) : fail(text.error());
+    if (!clocks) {
+        return clocks;
+    }
+    constexpr double kMostDrift = 500.0;  // ppm: no clock is worse
+    for (const capture::Clock& clock : *clocks) {
+        if (std::abs(clock.drift_ppm) > kMostDrift) {
+            say(fmt::format(
+                "{}: the clock of camera {} drifts by {:.0f} ppm: is its film of another rate than "
+                "it says?",
+                file.string(),
+                clock.camera,
+                clock.drift_ppm));
+        }
+    }
+    return clocks;
 }
 
 Expected<capture::Observations> load_observations(const CapturePlan& plan) {
@@ -62,12 +90,11 @@ Expected<std::vector<capture::MarkerLabel>> load_labels(const std::filesystem::p
 }
 
 Expected<std::vector<capture::Edit>> load_edits(const CapturePlan& plan) {
-    const std::filesystem::path file = plan.file("edits.jsonl");
-    if (!is_there(file)) {
-        return std::vector<capture::Edit>{};
-    }
-    const Expected<std::string> text = read_text_file(file, kLargestTable);
-    return text ? capture::read_edits(*text, file.string()) : fail(text.error());
+    return read_if_made(plan.file("edits.jsonl"), &capture::read_edits);
+}
+
+Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan) {
+    return read_if_made(plan.file("moved.tsv"), &capture::read_moves);
 }
 
 Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 
 namespace raks::apps {
@@ -17,7 +18,8 @@ namespace raks::apps {
 /// of the file.
 [[nodiscard]] Expected<capture::Rig> load_capture_rig(const CapturePlan& plan);
 
-/// clocks.toml. Without the file, where the cameras have no sound to tell: an error that says so.
+/// clocks.toml, with a line for each that drifts by more than 500 ppm. Without the file, where the
+/// cameras have no sound to tell: an error that says so.
 [[nodiscard]] Expected<std::vector<capture::Clock>> load_clocks(const CapturePlan& plan);
 
 /// detections.csv. Errors: none there, those of the file.
@@ -29,6 +31,9 @@ namespace raks::apps {
 
 /// edits.jsonl; none there: no edits. Errors: those of the file.
 [[nodiscard]] Expected<std::vector<capture::Edit>> load_edits(const CapturePlan& plan);
+
+/// moved.tsv; none there: none was moved. Errors: those of the file.
+[[nodiscard]] Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan);
 
 /// tracks.csv and flags.tsv of a folder. Errors: none there (track first), those of the files.
 [[nodiscard]] Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder);

@@ -124,7 +124,11 @@ std::string overview_section(const CaptureReport& report) {
             1000.0 * mean_of(sums.near),
             100.0 * static_cast<double>(sums.wrong) / static_cast<double>(sums.compared));
     }
-    return text + ".</p>\n";
+    text += ".</p>\n";
+    for (const capture::CameraMove& move : report.moves) {
+        text += "<p class=\"wrong\">" + xml_text(capture::words_of_move(move, tracks)) + "</p>\n";
+    }
+    return text;
 }
 
 std::string room_section(const CaptureReport& report) {

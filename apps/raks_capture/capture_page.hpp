@@ -11,6 +11,7 @@
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 
 namespace raks::apps {
@@ -26,12 +27,14 @@ struct CaptureReport {
     /// truth, infinite where the marker is lost. Empty: the truth is not known.
     std::vector<double> errors;
     std::vector<capture::Edit> edits;
+    std::vector<capture::CameraMove> moves;
     std::optional<BodyFacts> body;
 };
 
-/// The page: what came of the capture in a sentence; the cameras and the room from above; their
-/// clocks; of every marker when it was seen, and how well its place is known; what is to be looked
-/// at; what was corrected; the body and its feet. Self-contained, in the style of all reports.
+/// The page: what came of the capture in a sentence, and which cameras were moved; the cameras and
+/// the room from above; their clocks; of every marker when it was seen, and how well its place is
+/// known; what is to be looked at; what was corrected; the body and its feet. Self-contained, in
+/// the style of all reports.
 [[nodiscard]] std::string capture_page(const CaptureReport& report);
 
 }  // namespace raks::apps

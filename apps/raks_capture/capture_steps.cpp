@@ -63,7 +63,7 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
     }
     CaptureStep calibrate{"calibrate",
                           {},
-                          joined(boards, files_of(plan, {"capture.toml"})),
+                          joined(boards, files_of(plan, {"capture.toml", "calibration.toml"})),
                           files_of(plan, {"rig.toml"}),
                           !boards.empty()};
     CaptureStep sync{"sync",
@@ -80,13 +80,17 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
                       {},
                       joined(files_of(plan, {"capture.toml", "tracks.csv"}), markers),
                       files_of(plan, {"dance.bvh", "body.toml"})};
-    CaptureStep report{
-        "report",
-        {},
-        files_of(
-            plan,
-            {"rig.toml", "clocks.toml", "tracks.csv", "flags.tsv", "edits.jsonl", "dance.bvh"}),
-        files_of(plan, {"report.html"})};
+    CaptureStep report{"report",
+                       {},
+                       files_of(plan,
+                                {"rig.toml",
+                                 "clocks.toml",
+                                 "tracks.csv",
+                                 "flags.tsv",
+                                 "moved.tsv",
+                                 "edits.jsonl",
+                                 "dance.bvh"}),
+                       files_of(plan, {"report.html"})};
     if (shows_both(plan)) {
         calibrate.arguments = {"--clocks", plan.file("clocks.toml").string()};
         calibrate.inputs.push_back(plan.file("clocks.toml"));

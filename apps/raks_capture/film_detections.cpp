@@ -142,10 +142,28 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
 
 Expected<std::unique_ptr<engine::FilmReader>> open_film(const CameraFilm& film,
                                                         const DetectionOptions& options) {
-    return engine::FilmReader::open(
-        film.path,
-        {.folder_pictures_per_second = options.folder_pictures_per_second,
-         .is_stop_requested = options.is_stop_requested});
+    auto reader =
+        engine::FilmReader::open(film.path,
+                                 {.folder_pictures_per_second = options.folder_pictures_per_second,
+                                  .is_stop_requested = options.is_stop_requested});
+    if (!reader || film.width == 0) {
+        return reader;
+    }
+    const engine::FilmInfo& info = (*reader)->info();
+    if (info.width == film.width && info.height == film.height) {
+        return reader;
+    }
+    const bool is_turned = info.width == film.height && info.height == film.width;
+    return fail(
+        fmt::format("camera {}: {} has pictures of {} x {}, but {} x {} were calibrated: {}",
+                    film.camera,
+                    film.path.string(),
+                    info.width,
+                    info.height,
+                    film.width,
+                    film.height,
+                    is_turned ? "the camera was turned; film board and dance alike"
+                              : "film board and dance with the same settings"));
 }
 
 Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,

@@ -21,6 +21,8 @@ namespace raks::apps {
 struct CameraFilm {
     std::string camera;          ///< its name in the rig
     std::filesystem::path path;  ///< a film, or a folder of numbered pictures
+    int width = 0;               ///< of its pictures, as calibrated; 0: any
+    int height = 0;              ///< likewise
 };
 
 /// How markers are looked for.
@@ -35,7 +37,7 @@ struct DetectionOptions {
     std::function<bool()> is_stop_requested = [] { return false; };
 };
 
-/// Opens a film as they say. Errors: those of the reader.
+/// Opens a film as they say. Errors: those of the reader; pictures of another size than calibrated.
 [[nodiscard]] Expected<std::unique_ptr<engine::FilmReader>> open_film(
     const CameraFilm& film, const DetectionOptions& options);
 
@@ -51,8 +53,9 @@ struct FilmDetections {
 /// searched. Means follow slow changes of the light. One film after the other, so that the same
 /// films give the same bits; each is decoded in a process beside this one.
 /// Labels that lie beside their marker are left out, with a doubt, where another shows its colour.
-/// Errors, one line: no film; a film that cannot be read; a label of an unknown camera or marker,
-/// or behind the film's end; a colour of which no label shows it; a camera without any label.
+/// Errors, one line: no film; a film that cannot be read, or of another size than calibrated; a
+/// label of an unknown camera or marker, or behind the film's end; a colour of which no label shows
+/// it; a camera without any label.
 [[nodiscard]] Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,
                                                        const capture::MarkerSet& markers,
                                                        std::span<const capture::MarkerLabel> labels,

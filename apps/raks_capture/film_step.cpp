@@ -13,11 +13,13 @@
 namespace raks::apps {
 namespace {
 
-std::vector<CameraFilm> films_of_plan(const CapturePlan& plan) {
+std::vector<CameraFilm> films_of_plan(const CapturePlan& plan, const capture::Rig& rig) {
     std::vector<CameraFilm> films;
     for (const PlannedCamera& camera : plan.cameras) {
         if (!camera.film.empty()) {
-            films.push_back({camera.name, plan.file(camera.film)});
+            const auto index = rig.index_of(camera.name);
+            const capture::Lens lens = index ? rig.cameras[*index].lens : capture::Lens{};
+            films.push_back({camera.name, plan.file(camera.film), lens.width, lens.height});
         }
     }
     return films;
@@ -40,10 +42,11 @@ bool is_to_be_done(const CapturePlan& plan, const std::vector<CameraFilm>& films
 }  // namespace
 
 Expected<capture::Observations> seen_by_cameras(const CapturePlan& plan,
+                                                const capture::Rig& rig,
                                                 const capture::MarkerSet& markers,
                                                 const std::vector<capture::MarkerLabel>& labels,
                                                 capture::ChromaForm form) {
-    const std::vector<CameraFilm> films = films_of_plan(plan);
+    const std::vector<CameraFilm> films = films_of_plan(plan, rig);
     if (films.empty() || !is_to_be_done(plan, films)) {
         return load_observations(plan);
     }

@@ -6,6 +6,7 @@
 
 #include "apps/raks_capture/capture_plan.hpp"
 #include "base/expected.hpp"
+#include "motion/capture/camera/rig.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -19,6 +20,7 @@ namespace raks::apps {
 /// nor table.
 [[nodiscard]] Expected<capture::Observations> seen_by_cameras(
     const CapturePlan& plan,
+    const capture::Rig& rig,
     const capture::MarkerSet& markers,
     const std::vector<capture::MarkerLabel>& labels,
     capture::ChromaForm form);

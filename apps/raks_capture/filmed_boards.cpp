@@ -79,21 +79,11 @@ class Steps {
 std::string why_unseen(const PlannedCamera& camera,
                        const capture::Board& board,
                        const capture::GreyPicture& last,
-                       std::size_t pictures,
-                       std::size_t foreign) {
+                       std::size_t pictures) {
     const std::string head = fmt::format("camera \"{}\": {} shows no board in {} pictures",
                                          camera.name,
                                          camera.calibration.string(),
                                          pictures);
-    if (foreign > 0) {
-        return fmt::format(
-            "{}, but markers of {} that a board of {} x {} does not have: are "
-            "columns and rows right?",
-            head,
-            board.dictionary,
-            board.columns,
-            board.rows);
-    }
     const std::string_view guess = capture::guess_dictionary(last);
     return guess.empty() || guess == board.dictionary
                ? head + ": is it the board that capture.toml says, large and sharp enough?"
@@ -110,7 +100,8 @@ Expected<void> look_at(const CapturePlan& plan,
             "camera \"{}\" has no calibration film: name it in capture.toml, calibration = \"...\"",
             camera.name));
     }
-    auto film = engine::FilmReader::open(plan.file(camera.calibration));
+    auto film = engine::FilmReader::open(plan.file(camera.calibration),
+                                         {.is_stop_requested = search.is_stop_requested});
     if (!film) {
         return fail(std::move(film.error()));
     }
@@ -137,7 +128,7 @@ Expected<void> look_at(const CapturePlan& plan,
         grey = grey_of(**picture);
         capture::BoardView view =
             capture::find_board({(*picture)->width, (*picture)->height, grey}, plan.board);
-        foreign = std::max(foreign, view.foreign_markers);
+        foreign += view.foreign_markers > 0 ? 1U : 0U;
         if (view.corners.size() >= capture::kFewestBoardCorners) {
             ++found;
             boards.sightings.push_back({index, *moment, std::move(view.corners)});
@@ -151,9 +142,27 @@ Expected<void> look_at(const CapturePlan& plan,
     if (!(*film)->warning().empty()) {
         boards.warnings.push_back((*film)->warning());
     }
+    // By chance a picture of a room has one of a thousand markers, too.
+    const bool is_other_board = 2 * foreign > std::max<std::size_t>(found, 1);
+    const std::string doubt = fmt::format(
+        "camera \"{}\": {} shows markers of {} that a board of {} x {} does not have, "
+        "in {} of {} pictures: are columns and rows right?",
+        camera.name,
+        camera.calibration.string(),
+        plan.board.dictionary,
+        plan.board.columns,
+        plan.board.rows,
+        foreign,
+        pictures);
+    if (is_other_board && found == 0) {
+        return fail(doubt);
+    }
+    if (is_other_board) {
+        boards.warnings.push_back(doubt);
+    }
     if (found == 0) {
         const capture::GreyPicture last{info.width, info.height, grey};
-        return fail(why_unseen(camera, plan.board, last, pictures, foreign));
+        return fail(why_unseen(camera, plan.board, last, pictures));
     }
     return {};
 }

@@ -18,6 +18,8 @@ struct BoardSearch {
     std::vector<capture::Clock> clocks;  ///< of the calibration films; empty: all began at once
     /// Told the share that is done, [0, 1].
     std::function<void(double)> on_progress = [](double) {};
+    /// Asked picture by picture; true ends the search with an error.
+    std::function<bool()> is_stop_requested = [] { return false; };
 };
 
 /// What was found.

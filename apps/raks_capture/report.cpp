@@ -84,6 +84,10 @@ Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& a
             plan.file("edits.jsonl"), report.edits, [&plan] { return load_edits(plan); });
     }
     if (done) {
+        done = read_if_there(
+            plan.file("moved.tsv"), report.moves, [&plan] { return load_moves(plan); });
+    }
+    if (done) {
         done = read_body(plan.file("dance.bvh"), report);
     }
     if (done && !arguments.truth.empty()) {

@@ -8,6 +8,7 @@
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/solve_figures.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
@@ -26,6 +27,7 @@ struct SolveArguments {
     double frames_per_second = 0.0;  ///< 0: capture.toml's
     std::string body;                ///< empty: capture.toml's
     double smoothness = 1.0;
+    bool as_json = false;
 };
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
@@ -111,7 +113,15 @@ ExitCode solve_capture(const SolveArguments& arguments) {
         !written) {
         return fail(std::move(written.error()));
     }
-    say_result(*dance);
+    if (!arguments.as_json) {
+        say_result(*dance);
+        return kExitDone;
+    }
+    const auto clip = motion::read_bvh(plan->file("dance.bvh"));
+    if (!clip) {
+        return fail(clip.error());
+    }
+    print_json(solve_json(*dance, body_facts(*clip)));
     return kExitDone;
 }
 
@@ -129,6 +139,7 @@ void add_solve(CommandTable& table) {
         ->check(one_of({"dance", "paper"}));
     app->add_option("--smoothness", arguments->smoothness, "above 1: softer, below: sharper")
         ->check(in_range(0.05, 20.0));
+    app->add_flag("--json", arguments->as_json, "print the figures as JSON");
 }
 
 }  // namespace raks::apps

@@ -8,8 +8,10 @@
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/track_doubts.hpp"
 #include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/option_checks.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
@@ -27,12 +29,15 @@ struct TrackArguments {
     double sigma = 1.0;
     double acceleration = 20.0;
     double smoothing = 12.0;
+    bool is_as_named = false;  ///< the order of the films is not checked
 };
 
-Expected<void> write_tracks(const CapturePlan& plan, const capture::Tracks& tracks) {
+Expected<void> write_tracks(const CapturePlan& plan, const capture::TrackerStages& stages) {
+    const capture::Tracks& tracks = stages.smoothed;
     const std::pair<const char*, std::string> files[] = {
         {"tracks.csv", capture::tracks_text(tracks)},
         {"flags.tsv", capture::flags_text(tracks)},
+        {"moved.tsv", capture::moves_text(stages.moves)},
         {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
     for (const auto& [name, text] : files) {
         if (auto written = write_file(plan.file(name), text); !written) {
@@ -99,19 +104,27 @@ ExitCode track(const TrackArguments& arguments) {
                       arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels,
                       form_named(arguments.colour));
     if (!given) {
-        return fail(std::move(given.error()));
+        return stop_signal() ? ExitCode(exit_code_after_signals(kExitPartly))
+                             : fail(std::move(given.error()));
     }
     given->options.sigma = arguments.sigma;
     given->options.acceleration = arguments.acceleration;
     given->options.smoothing = arguments.smoothing;
+    given->options.check_order = !arguments.is_as_named;
     const auto stages = track_with(*given, given->edits);
     if (!stages) {
         return fail(Error(stages.error()).in(arguments.folder.string()));
     }
-    if (auto written = write_tracks(*plan, stages->smoothed); !written) {
+    if (auto written = write_tracks(*plan, *stages); !written) {
         return fail(std::move(written.error()));
     }
+    for (const capture::CameraMove& move : stages->moves) {
+        say(capture::words_of_move(move, stages->smoothed));
+    }
     say(summary_of(stages->smoothed));
+    for (const std::string& doubt : track_doubts(stages->smoothed, given->markers)) {
+        say(doubt);
+    }
     return arguments.truth.empty() ? ExitCode(kExitDone)
                                    : exit_code_of(print_errors(*stages, arguments.truth));
 }
@@ -131,6 +144,9 @@ void add_track(CommandTable& table) {
         ->check(in_range(0.1, 1000.0));
     app->add_option("--smoothing", arguments->smoothing, "the same when smoothed afterwards")
         ->check(in_range(0.1, 1000.0));
+    app->add_flag("--as-named",
+                  arguments->is_as_named,
+                  "films are those of their cameras, whatever their points say");
     app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
 }
 

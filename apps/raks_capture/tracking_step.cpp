@@ -14,18 +14,19 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
     auto markers = load_markers(plan);
     auto clocks = load_clocks(plan);
     auto labels = load_labels(labels_file);
-    auto seen = markers && labels ? seen_by_cameras(plan, *markers, *labels, form)
-                                  : fail(markers ? labels.error() : markers.error());
     auto edits = load_edits(plan);
     for (const Error* const error : {rig ? nullptr : &rig.error(),
                                      markers ? nullptr : &markers.error(),
                                      clocks ? nullptr : &clocks.error(),
-                                     seen ? nullptr : &seen.error(),
                                      labels ? nullptr : &labels.error(),
                                      edits ? nullptr : &edits.error()}) {
         if (error != nullptr) {
             return fail(*error);
         }
+    }
+    auto seen = seen_by_cameras(plan, *rig, *markers, *labels, form);
+    if (!seen) {
+        return fail(std::move(seen.error()));
     }
     TrackingGiven given{std::move(*rig),
                         std::move(*markers),
@@ -37,6 +38,7 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
     given.options.frames_per_second = plan.frames_per_second;
     given.options.first_time = plan.start;
     given.options.height = plan.height;
+    given.options.check_order = false;
     return given;
 }
 

@@ -18,7 +18,7 @@ struct TrackingGiven {
     std::vector<capture::Clock> clocks;
     std::vector<capture::MarkerLabel> labels;
     std::vector<capture::Edit> edits;
-    capture::TrackerOptions options;  ///< by capture.toml
+    capture::TrackerOptions options;  ///< by capture.toml; the order of the films is not checked
 };
 
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be

@@ -77,12 +77,15 @@ TEST(CapturePage, shows_every_part_and_nothing_from_outside) {
     report.clocks = {{"left", 0.25, -12.5, 0.9}};
     report.markers = capture::default_markers();
     report.tracks = small_tracks();
+    report.moves = {{"cam_<2>", 1, 3, 12.0}};
     report.edits = {{capture::EditKind::swap, "head", "c7", "", 2, 2, {}},
                     {capture::EditKind::set, "head", "", "<left>", 1, 1, {3.0, 4.5}}};
     report.body = body_facts(sliding_clip(30), 3);
     const std::string page = capture_page(report);
     for (const char* part : {"The room",
                              "The clocks",
+                             "cam_&lt;2&gt;",
+                             "disagrees with the others from",
                              "The markers",
                              "To be looked at",
                              "Corrected by hand",

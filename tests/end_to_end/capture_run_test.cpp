@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <string>
 
 #include "tests/end_to_end/program.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace raks::test {
 namespace {
@@ -69,6 +72,40 @@ TEST_F(CaptureRun, ends_with_the_step_that_cannot_be_done) {
         << result.err;
     EXPECT_FALSE(has("tracks.csv"));
     EXPECT_FALSE(has("report.html"));
+}
+
+TEST_F(CaptureRun, keeps_what_is_done_when_it_is_stopped) {
+    const auto steps = plan({"run", path("take")});
+    CapturedProcess raks(steps);
+    ASSERT_TRUE(raks.wait_for_output("raks: solve: to be done"));
+    raks.send(SIGINT);
+    const ProcessResult stopped = raks.wait();
+    EXPECT_EQ(stopped.exit_code, 128 + SIGINT) << stopped.err;
+    EXPECT_TRUE(has("tracks.csv"));
+    EXPECT_FALSE(has("dance.bvh"));
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "take")) {
+        EXPECT_EQ(entry.path().filename().string().find("part"), std::string::npos) << entry.path();
+    }
+    const auto again = run({"run", path("take")});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(says(again, "raks: track: up to date")) << again.err;
+    EXPECT_TRUE(says(again, "raks: solve: to be done")) << again.err;
+}
+
+TEST_F(CaptureRun, figures_of_the_solve_are_json_on_request) {
+    ASSERT_EQ(run({"track", path("take")}).exit_code, 0);
+    const auto solved = run({"solve", path("take"), "--json"});
+    ASSERT_EQ(solved.exit_code, 0) << solved.err;
+    const auto figures = nlohmann::json::parse(solved.out, nullptr, false);
+    ASSERT_FALSE(figures.is_discarded()) << solved.out;
+    EXPECT_EQ(figures["format"], "raks-solve");
+    EXPECT_NEAR(figures["height_m"].get<double>(), 1.714, 0.05);
+    EXPECT_LT(figures["residual_mm"].get<double>(), 15.0);
+    EXPECT_EQ(figures["markers"].size(), 20U);
+    EXPECT_GT(figures["feet"]["left"]["planted"].get<double>(), 0.0);
+    EXPECT_FALSE(figures["bones"].empty());
+    EXPECT_GE(figures["limits"]["frames_beyond"].get<double>(), 0.0);
+    EXPECT_TRUE(figures["doubts"].is_array());
 }
 
 TEST_F(CaptureRun, reports_of_what_there_is_so_far) {

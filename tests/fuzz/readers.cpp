@@ -42,8 +42,11 @@ std::span<const Reader> readers() {
         {"joint_map", read_joint_map_file, {}, 2000},
         {"lens_yaml", read_lens_file, {}, 1000},
         {"rig", read_rig_file, {}, 1000},
+        {"easymocap_rig", read_easymocap_files, {}, 1000},
+        {"qualisys_rig", read_qualisys_file, {}, 1000},
 #ifdef RAKS_CAPTURE_IS_BUILT
         {"capture_plan", read_capture_plan, {}, 2000},
+        {"calibration_choices", read_calibration_choices, {}, 2000},
 #endif
         {"marker_set", read_marker_set_file, {}, 1000},
         {"clocks", read_clocks_file, {}, 2000},
@@ -51,6 +54,7 @@ std::span<const Reader> readers() {
         {"detections", read_detections, {}, 1000},
         {"tracks", read_tracks_file, {}, 1000},
         {"flags", read_flags_file, {}, 2000},
+        {"moves", read_moves_file, {}, 2000},
         {"edits", read_edits_file, {}, 2000},
         {"model",
          read_model_file,

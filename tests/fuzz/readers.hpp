@@ -57,20 +57,24 @@ bool read_points_csv(std::string_view text);    ///< the same
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
 bool read_film(std::string_view bytes);         ///< of any format, its first pictures
-bool read_genre_samples(std::string_view bytes);   ///< and other files that training keeps
-bool read_bone_label_file(std::string_view text);  ///< labels of avatars
-bool read_joint_map_file(std::string_view text);   ///< of clips; and puts it to one
-bool read_lens_file(std::string_view text);        ///< OpenCV's; and writes it again
-bool read_rig_file(std::string_view text);         ///< of any program; and writes it again
-bool read_capture_plan(std::string_view text);     ///< capture.toml; and writes it again
-bool read_marker_set_file(std::string_view text);  ///< likewise, as those that follow
-bool read_clocks_file(std::string_view text);      ///< of cameras
-bool read_marker_labels(std::string_view text);    ///< of pictures
-bool read_detections(std::string_view text);       ///< spots in pictures
-bool read_tracks_file(std::string_view text);      ///< of markers; and as TRC
-bool read_flags_file(std::string_view text);       ///< of two markers over ten frames
-bool read_edits_file(std::string_view text);       ///< of tracks
-bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
-bool read_tds_file(std::string_view bytes);        ///< 3DS; the same
+bool read_genre_samples(std::string_view bytes);       ///< and other files that training keeps
+bool read_bone_label_file(std::string_view text);      ///< labels of avatars
+bool read_joint_map_file(std::string_view text);       ///< of clips; and puts it to one
+bool read_lens_file(std::string_view text);            ///< OpenCV's; and writes it again
+bool read_rig_file(std::string_view text);             ///< of any program; and writes it again
+bool read_easymocap_files(std::string_view text);      ///< both, with a line "=====" between
+bool read_qualisys_file(std::string_view text);        ///< its XML; and writes it as our own
+bool read_capture_plan(std::string_view text);         ///< capture.toml; and writes it again
+bool read_calibration_choices(std::string_view text);  ///< and writes them again
+bool read_marker_set_file(std::string_view text);      ///< likewise, as those that follow
+bool read_clocks_file(std::string_view text);          ///< of cameras
+bool read_marker_labels(std::string_view text);        ///< of pictures
+bool read_detections(std::string_view text);           ///< spots in pictures
+bool read_tracks_file(std::string_view text);          ///< of markers; and as TRC
+bool read_flags_file(std::string_view text);           ///< of two markers over ten frames
+bool read_moves_file(std::string_view text);           ///< `moved.tsv`; and writes it again
+bool read_edits_file(std::string_view text);           ///< of tracks
+bool read_model_file(std::string_view text);           ///< glTF and VRM; and unpacks its pictures
+bool read_tds_file(std::string_view bytes);            ///< 3DS; the same
 
 }  // namespace raks::fuzz

@@ -7,6 +7,7 @@
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
@@ -72,6 +73,10 @@ bool read_flags_file(std::string_view text) {
         return flags ? Expected<capture::Tracks>(std::move(tracks)) : fail(flags.error());
     };
     return reads_back(text, read, capture::flags_text);
+}
+
+bool read_moves_file(std::string_view text) {
+    return reads_back(text, capture::read_moves, capture::moves_text);
 }
 
 bool read_edits_file(std::string_view text) {

@@ -7,6 +7,7 @@
 
 #include "base/expected.hpp"
 #include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/opencv_yaml.hpp"
 
 /// The format (OpenCV's FileStorage, of which only what is needed is understood):
 ///
@@ -31,6 +32,16 @@ namespace raks::capture {
 /// with another count of numbers than those say; numbers that are none or not finite; a skewed
 /// lens; a picture or focal length that is not positive; more than 1 MiB.
 [[nodiscard]] Expected<Lens> parse_lens_yaml(std::string_view text, const std::string& name);
+
+/// Reads a camera matrix, 3 x 3, from the matrix of a key. Errors: none there; skew; a focal length
+/// that is not positive.
+[[nodiscard]] Expected<void> read_lens_matrix(const YamlEntries& reader,
+                                              std::string_view key,
+                                              Lens& lens);
+/// Reads distortion, 4, 5 or 8 numbers, from the matrix of a key. Errors: none there, others.
+[[nodiscard]] Expected<void> read_lens_distortion(const YamlEntries& reader,
+                                                  std::string_view key,
+                                                  Lens& lens);
 
 /// The same from a file.
 [[nodiscard]] Expected<Lens> read_lens_yaml(const std::filesystem::path& path);

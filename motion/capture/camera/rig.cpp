@@ -1,9 +1,11 @@
 #include "motion/capture/camera/rig.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/printable.hpp"
 
@@ -77,6 +79,40 @@ std::string off_centre(const Lens& lens) {
         lens.height);
 }
 
+// The two cameras that are furthest apart, and the two nearest ones, where that cannot be.
+void add_distance_doubts(const Rig& rig, std::vector<std::string>& doubts) {
+    constexpr double kFarthest = 50.0;
+    constexpr double kNearest = 0.05;
+    double most = kFarthest;
+    double least = kNearest;
+    std::string far;
+    std::string near;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double apart = glm::distance(rig.cameras[i].centre(), rig.cameras[j].centre());
+            const auto line = [&](const std::string& distance, const char* unit) {
+                return fmt::format("cameras \"{}\" and \"{}\" stand {} m apart: {}",
+                                   printable(rig.cameras[j].name),
+                                   printable(rig.cameras[i].name),
+                                   distance,
+                                   unit);
+            };
+            if (apart > most) {
+                most = apart;
+                far = line(fmt::format("{:.0f}", apart), "is this in millimetres?");
+            } else if (apart < least) {
+                least = apart;
+                near = line(fmt::format("{:.3g}", apart), "is this in another unit?");
+            }
+        }
+    }
+    for (std::string* const line : {&far, &near}) {
+        if (!line->empty()) {
+            doubts.push_back(std::move(*line));
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<std::size_t> Rig::index_of(std::string_view name) const noexcept {
@@ -107,23 +143,12 @@ Expected<void> check_rig(const Rig& rig) {
 }
 
 std::vector<std::string> rig_doubts(const Rig& rig) {
-    constexpr double kFarthest = 50.0;
-    constexpr double kNearest = 0.05;
     std::vector<std::string> doubts;
-    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-        const Camera& camera = rig.cameras[i];
+    add_distance_doubts(rig, doubts);
+    std::vector<std::string> below;
+    double deepest = 0.0;
+    for (const Camera& camera : rig.cameras) {
         const std::string name = printable(camera.name);
-        for (std::size_t j = 0; j < i; ++j) {
-            const double apart = glm::distance(camera.centre(), rig.cameras[j].centre());
-            if (apart > kFarthest || apart < kNearest) {
-                doubts.push_back(fmt::format(
-                    "cameras \"{}\" and \"{}\" stand {:.3g} m apart: {}",
-                    printable(rig.cameras[j].name),
-                    name,
-                    apart,
-                    apart > kFarthest ? "is this in millimetres?" : "is this in another unit?"));
-            }
-        }
         if (const std::string fault = off_centre(camera.lens); !fault.empty()) {
             doubts.push_back(fmt::format("camera \"{}\": {}", name, fault));
         }
@@ -134,12 +159,18 @@ std::vector<std::string> rig_doubts(const Rig& rig) {
                 name));
         }
         if (camera.centre().y < 0.0) {
-            doubts.push_back(
-                fmt::format("camera \"{}\" stands {:.2f} m under the floor: is the "
-                            "floor's board mirrored?",
-                            name,
-                            -camera.centre().y));
+            below.push_back('"' + name + '"');
+            deepest = std::max(deepest, -camera.centre().y);
         }
+    }
+    if (!below.empty()) {
+        doubts.push_back(
+            fmt::format("{} {} {} up to {:.2f} m under the floor: is the floor's board "
+                        "mirrored, or does another axis point up?",
+                        below.size() == 1 ? "camera" : "cameras",
+                        fmt::join(below, ", "),
+                        below.size() == 1 ? "stands" : "stand",
+                        deepest));
     }
     return doubts;
 }

@@ -9,7 +9,11 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/plain_name.hpp"
+#include "base/printable.hpp"
 #include "base/toml_reader.hpp"
+#include "motion/capture/camera/easymocap_rig.hpp"
+#include "motion/capture/camera/qualisys_rig.hpp"
 #include "motion/capture/camera/rotation.hpp"
 
 #include <glm/matrix.hpp>
@@ -227,23 +231,17 @@ RigReading stated(const toml::table& document, TomlComplaints& complaints) {
     return reading;
 }
 
-void convert(RigFile& file, const RigReading& given, const RigReading& said) {
-    const auto unit = given.metres_per_unit ? given.metres_per_unit : said.metres_per_unit;
-    if (!unit) {
-        file.notes.emplace_back("the rig does not say its unit: taken as metres");
-    } else if (*unit != 1.0) {
-        file.notes.push_back(fmt::format("the rig is in units of {} m: turned into metres", *unit));
-        for (Camera& camera : file.rig.cameras) {
-            camera.translation *= *unit;
-        }
-    }
-    if ((given.up ? *given.up : said.up.value_or(UpAxis::y)) == UpAxis::z) {
-        file.notes.emplace_back("the rig has z up: turned so that y is");
-        const glm::dmat3 old_from_new({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0});
-        for (Camera& camera : file.rig.cameras) {
-            camera.rotation = camera.rotation * old_from_new;
-        }
-    }
+// Whether a file of ours can say what this camera is.
+bool is_in_range(const Camera& camera) {
+    const auto is_within = [](double value) {
+        return value >= kAnyNumber.lowest && value <= kAnyNumber.highest;
+    };
+    const Lens& lens = camera.lens;
+    const glm::dvec3& shift = camera.translation;
+    return is_within(lens.fx) && is_within(lens.fy) && is_within(lens.cx) && is_within(lens.cy) &&
+           is_within(shift.x) && is_within(shift.y) && is_within(shift.z) &&
+           std::all_of(lens.distortion.begin(), lens.distortion.end(), is_within) &&
+           lens.width <= kPictureSize.highest && lens.height <= kPictureSize.highest;
 }
 
 // The shortest text that reads back to the same bits, as TOML's floating point.
@@ -278,6 +276,42 @@ std::string distortion_text(const std::array<double, 8>& k) {
 
 }  // namespace
 
+Expected<RigFile> settled_rig(RigFile file,
+                              const RigReading& said,
+                              const RigReading& given,
+                              const std::string& name) {
+    const auto unit = given.metres_per_unit ? given.metres_per_unit : said.metres_per_unit;
+    if (!unit) {
+        file.notes.emplace_back("the rig does not say its unit: taken as metres");
+    } else if (*unit != 1.0) {
+        file.notes.push_back(fmt::format("the rig is in units of {} m: turned into metres", *unit));
+        for (Camera& camera : file.rig.cameras) {
+            camera.translation *= *unit;
+        }
+    }
+    if ((given.up ? *given.up : said.up.value_or(UpAxis::y)) == UpAxis::z) {
+        file.notes.emplace_back("the rig has z up: turned so that y is");
+        const glm::dmat3 old_from_new({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0});
+        for (Camera& camera : file.rig.cameras) {
+            camera.rotation = camera.rotation * old_from_new;
+        }
+    }
+    if (const Expected<void> checked = check_rig(file.rig); !checked) {
+        return fail(Error(checked.error()).in(name));
+    }
+    for (const Camera& camera : file.rig.cameras) {
+        if (!is_plain_name(camera.name) || !is_in_range(camera)) {
+            return fail(fmt::format("{}: camera \"{}\": {}",
+                                    name,
+                                    printable(camera.name, 40),
+                                    is_plain_name(camera.name)
+                                        ? "a number is beyond all that cameras have"
+                                        : "needs a name of letters, without control characters"));
+        }
+    }
+    return file;
+}
+
 Expected<RigFile> parse_rig(std::string_view text,
                             const std::string& name,
                             const RigReading& reading) {
@@ -308,16 +342,19 @@ Expected<RigFile> parse_rig(std::string_view text,
     if (!complaints.is_sound()) {
         return fail(complaints.fault());
     }
-    convert(file, reading, said);
-    if (const Expected<void> checked = check_rig(file.rig); !checked) {
-        return fail(Error(checked.error()).in(name));
-    }
-    return file;
+    return settled_rig(std::move(file), said, reading, name);
 }
 
 Expected<RigFile> read_rig(const std::filesystem::path& path, const RigReading& reading) {
     const Expected<std::string> text = read_text_file(path, kLongestToml);
-    return text ? parse_rig(*text, path.string(), reading) : fail(text.error());
+    if (!text) {
+        return fail(text.error());
+    }
+    if (text->starts_with("%YAML")) {
+        return read_easymocap_rig(path, *text, reading);
+    }
+    return text->starts_with('<') ? parse_qualisys_rig(*text, path.string(), reading)
+                                  : parse_rig(*text, path.string(), reading);
 }
 
 std::string rig_text(const Rig& rig) {

@@ -1,4 +1,5 @@
-// Files of rigs: our own, and those of Anipose, Pose2Sim and Caliscope, which are read alike.
+// Files of rigs: our own, those of Anipose, Pose2Sim and Caliscope, which are read alike, and any
+// that Raks understands.
 #pragma once
 
 #include <cstdint>
@@ -54,9 +55,17 @@ struct RigFile {
                                           const std::string& name,
                                           const RigReading& reading = {});
 
-/// The same from a file.
+/// The same from a file; also one of Qualisys (qualisys_rig.hpp), or one of EasyMocap's two
+/// (easymocap_rig.hpp), by its content.
 [[nodiscard]] Expected<RigFile> read_rig(const std::filesystem::path& path,
                                          const RigReading& reading = {});
+
+/// A rig of any file in metres and with y up: by what the file says, and before that by what is
+/// given. `name`: the file's, for messages. Errors: what check_rig refuses.
+[[nodiscard]] Expected<RigFile> settled_rig(RigFile file,
+                                            const RigReading& said,
+                                            const RigReading& given,
+                                            const std::string& name);
 
 /// A rig as a text that Anipose and Pose2Sim read too, and that parse_rig reads back to the same
 /// bits.

@@ -24,7 +24,10 @@ constexpr double kKnownHeight = 0.015;   // deviation of the logarithm of a heig
 constexpr double kUnknownHeight = 0.15;  // and of one that was not
 constexpr double kUsualInSize = 0.3;     // weight: what is usual in each frame is not so on average
 constexpr double kUsualWhenSmooth = 0.05;  // weight: frames around say more of what is not measured
-constexpr std::size_t kSizeFrames = 80;    // from which the body's size is fitted
+// A body that is so much larger, or smaller by as much, than the dancer was said to be: the world's
+// scale is off. Markers that sit elsewhere do less.
+constexpr double kWrongScale = 1.2;
+constexpr std::size_t kSizeFrames = 80;  // from which the body's size is fitted
 // A model never is the body: its error, metres, and how much less a frame says because the next
 // ones repeat its error. Without them lengths that a dance hardly shows stray far from what is
 // usual.
@@ -97,7 +100,7 @@ class DanceSolver {
 
  private:
     Expected<void> see();
-    void begin_size();
+    Expected<void> begin_size();
     void fit_size_to(std::size_t most_frames);
     void smooth_states(int rounds);
     void report_markers(SolvedDance& dance) const;
@@ -175,13 +178,27 @@ std::vector<std::size_t> DanceSolver::size_frames(std::size_t wanted) const {
     return chosen;
 }
 
-void DanceSolver::begin_size() {
+Expected<void> DanceSolver::begin_size() {
+    const double guess = guess_size(model_, markers_, sights_);
+    if (options_.height) {
+        const double factor = guess * kMannequinHeight / *options_.height;
+        if (!(factor < kWrongScale && factor > 1.0 / kWrongScale)) {
+            return fail(fmt::format(
+                "the markers are those of a dancer of {:.2f} m, not {:.2f}: measure the board's "
+                "square, in metres; {:.3g} times what capture.toml says would fit; then calibrate "
+                "again",
+                guess * kMannequinHeight,
+                *options_.height,
+                1.0 / factor));
+        }
+    }
     prior_.marker_deviation = options_.marker_deviation;
     prior_.whole_deviation = options_.height ? kKnownHeight : kUnknownHeight;
     prior_.whole = options_.height ? *options_.height / kMannequinHeight : 1.0;
-    size_.whole = options_.height ? prior_.whole : guess_size(model_, markers_, sights_);
+    size_.whole = options_.height ? prior_.whole : guess;
     size_.marker_shifts.resize(markers_.markers.size());
     shape_ = shape_of(size_, markers_);
+    return {};
 }
 
 void DanceSolver::fit_size_to(std::size_t most_frames) {
@@ -212,7 +229,9 @@ Expected<SolvedDance> DanceSolver::solve() {
     if (const auto seen = see(); !seen) {
         return fail(seen.error());
     }
-    begin_size();
+    if (auto begun = begin_size(); !begun) {
+        return fail(std::move(begun.error()));
+    }
     weights_.outlier = kUnfittedOutlier;
     states_ = fit_frames(context(), sights_);
     fit_size_to(kSizeFrames);
@@ -220,9 +239,11 @@ Expected<SolvedDance> DanceSolver::solve() {
     fit_size_to(kSizeFrames);
     const double height = kMannequinHeight * size_.whole;
     if (!(height >= kLeastHeight && height <= kMostHeight)) {
-        return fail(fmt::format(
-            "the markers are those of a body of {:.2f} m; are the cameras' places in metres?",
-            height));
+        return fail(
+            fmt::format("the markers are those of a body of {:.2f} m; are the cameras' places in "
+                        "metres? Is the "
+                        "board's square as capture.toml says?",
+                        height));
     }
     // Soles are found in what was solved, and what is solved follows them: two rounds.
     smooth_states(4);

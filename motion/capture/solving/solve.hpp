@@ -66,7 +66,8 @@ struct SolvedDance {
 ///
 /// Errors, one line: a track whose marker the set lacks, fewer than 6 markers or 3 frames, fewer
 /// than 3 markers of the trunk in every frame, rates outside of 1 to 1,000 a second, a height
-/// outside of 0.8 to 2.5 m, a body whose markers give such a height (units?).
+/// outside of 0.8 to 2.5 m, a body whose markers give such a height, or one that is off by a fifth
+/// from the height that was told: the board was of another size, or units are wrong.
 /// Deterministic. Threads: workers. Real-time: no (some 100 frames a second).
 [[nodiscard]] Expected<SolvedDance> solve(const Tracks& tracks,
                                           const MarkerSet& markers,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "motion/skeleton/skeleton.hpp"
 
@@ -97,6 +98,43 @@ void narrow_to(const std::vector<glm::dvec3>& places, std::vector<DistanceLimit>
             limit.most = apart + kRigidMargin;
         }
     }
+}
+
+std::optional<double> scale_of(const std::vector<glm::dvec3>& places,
+                               const std::vector<DistanceLimit>& limits) {
+    constexpr std::size_t kFewestLimits = 6;
+    constexpr double kStep = 0.02;         // of the factor's logarithm
+    constexpr double kFarthest = 9.2;      // a factor of 10,000
+    constexpr double kSmallestPart = 0.9;  // of the most limits that hold: those count as well
+    std::vector<std::pair<double, const DistanceLimit*>> known;
+    for (const DistanceLimit& limit : limits) {
+        const double apart = glm::distance(places[limit.one], places[limit.other]);
+        if (std::isfinite(apart)) {
+            known.emplace_back(apart, &limit);
+        }
+    }
+    if (known.size() < kFewestLimits) {
+        return std::nullopt;
+    }
+    std::vector<std::pair<double, std::ptrdiff_t>> held;  // logarithm of a factor, and how many
+    std::ptrdiff_t most = 0;
+    for (double at = -kFarthest; at <= kFarthest; at += kStep) {
+        const double factor = std::exp(at);
+        held.emplace_back(at, std::count_if(known.begin(), known.end(), [factor](const auto& one) {
+                              return one.first >= factor * one.second->least &&
+                                     one.first <= factor * one.second->most;
+                          }));
+        most = std::max(most, held.back().second);
+    }
+    double sum = 0.0;
+    double count = 0.0;
+    for (const auto& [at, holding] : held) {
+        if (static_cast<double>(holding) >= kSmallestPart * static_cast<double>(most)) {
+            sum += at;
+            count += 1.0;
+        }
+    }
+    return std::exp(sum / count);
 }
 
 }  // namespace raks::capture

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "motion/capture/markers/marker_set.hpp"
@@ -25,5 +26,11 @@ struct DistanceLimit {
 /// Narrows limits to what a first pose shows: rigid pairs keep the distance that they have there,
 /// give or take 4 cm. `places`: by marker; NaN where not known.
 void narrow_to(const std::vector<glm::dvec3>& places, std::vector<DistanceLimit>& limits);
+
+/// How many times larger than the body of these limits one is with markers at these places: the
+/// middle of those factors for which most limits hold. None: fewer than 6 limits are between places
+/// that are known. `places`: by marker; NaN where not known.
+[[nodiscard]] std::optional<double> scale_of(const std::vector<glm::dvec3>& places,
+                                             const std::vector<DistanceLimit>& limits);
 
 }  // namespace raks::capture

@@ -132,6 +132,13 @@ FrameViews::FrameViews(const Rig& rig,
     }
 }
 
+void FrameViews::forget(std::size_t camera, std::size_t first, std::size_t last) {
+    for (std::size_t frame = first; frame <= last && frame < spots_.size(); ++frame) {
+        std::erase_if(spots_[frame],
+                      [camera](const SeenSpot& spot) { return spot.camera == camera; });
+    }
+}
+
 PointView view_of(const SeenSpot& spot, const glm::dvec3& velocity) {
     return {spot.camera, spot.direction, spot.late * velocity, 1.0};
 }

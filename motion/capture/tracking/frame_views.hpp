@@ -48,6 +48,9 @@ class FrameViews {
     /// The spots of a frame; `is_used` is free to be set.
     [[nodiscard]] std::vector<SeenSpot>& at(std::size_t frame) noexcept { return spots_[frame]; }
 
+    /// Forgets what a camera saw in these frames, the last included.
+    void forget(std::size_t camera, std::size_t first, std::size_t last);
+
  private:
     std::vector<std::vector<SeenSpot>> spots_;
 };

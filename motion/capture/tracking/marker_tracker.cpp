@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
 #include "base/printable.hpp"
 #include "motion/capture/tracking/track_flags.hpp"
 #include "motion/capture/tracking/track_run.hpp"
+#include "motion/capture/tracking/view_order.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -208,10 +210,33 @@ class SaidReader {
     TrackRunInput& run_;
 };
 
+// The world is as large as the dancer says, by the places that are labelled first.
+Expected<void> check_scale(const std::vector<glm::dvec3>& places,
+                           const std::vector<DistanceLimit>& limits,
+                           double height) {
+    const double most = height > 0.0 ? 1.25 : 1.6;  // dancers differ, and where markers sit
+    const double factor = scale_of(places, limits).value_or(1.0);
+    if (factor < most && factor > 1.0 / most) {
+        return {};
+    }
+    constexpr double kMillimetres = 300.0;  // and more: not a board, but another unit
+    if (factor > kMillimetres) {
+        return fail(
+            "the labelled markers are hundreds of metres apart: is the rig in millimetres (raks "
+            "capture calibrate FOLDER --rig FILE --unit mm)?");
+    }
+    return fail(fmt::format(
+        "the labelled markers are {:.3g} times as far apart as on a dancer{}: measure the board's "
+        "square, in metres; {:.3g} times what capture.toml says would fit; then calibrate again",
+        factor,
+        height > 0.0 ? fmt::format(" of {:.2f} m", height) : "",
+        1.0 / factor));
+}
+
 // Limits of the body, by the first frame in which markers are labelled.
-std::vector<DistanceLimit> limits_of(const TrackerInput& input,
-                                     const TrackRunInput& run,
-                                     double height) {
+Expected<std::vector<DistanceLimit>> limits_of(const TrackerInput& input,
+                                               const TrackRunInput& run,
+                                               double height) {
     std::vector<DistanceLimit> limits = distance_limits(input.markers, height);
     std::vector<glm::dvec3> places(input.markers.markers.size(),
                                    glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
@@ -226,6 +251,9 @@ std::vector<DistanceLimit> limits_of(const TrackerInput& input,
         if (const auto point = triangulate(input.rig, views, run.sigma)) {
             places[marker] = point->place;
         }
+    }
+    if (auto checked = check_scale(places, limits, height); !checked) {
+        return fail(std::move(checked.error()));
     }
     narrow_to(places, limits);
     return limits;
@@ -277,6 +305,52 @@ Tracks empty_tracks(const TrackerInput& input, const TimeLine& line, double rate
     return tracks;
 }
 
+/// What was followed, and what of the cameras did not count.
+struct Followed {
+    std::vector<TrackedMarker> tracked;
+    std::vector<CameraMove> moves;
+};
+
+// Forgets what cameras saw while they disagree, what a person said of it included.
+void forget_moves(const std::vector<CameraMove>& moves, TrackRunInput& run, FrameViews& views) {
+    for (const CameraMove& move : moves) {
+        const std::size_t camera = *run.rig->index_of(move.camera);
+        views.forget(camera, move.first, move.last);
+        std::erase_if(run.said, [&](const SaidView& said) {
+            return said.camera == camera && said.frame >= move.first && said.frame <= move.last;
+        });
+    }
+}
+
+// Follows the markers; as long as a camera disagrees, again without it. Two cameras stay. Against
+// markers that were followed without it, a camera must disagree still, or it was the others' fault.
+Followed follow_what_agrees(const TrackRunInput& input,
+                            const std::function<FrameViews()>& all_views,
+                            std::size_t frame_count) {
+    FrameViews views = all_views();
+    Followed followed{run_tracker(input, views, frame_count), {}};
+    for (std::size_t left = input.rig->cameras.size(); left > 2; --left) {
+        TrackRunInput run = input;
+        FrameViews fewer = all_views();
+        forget_moves(followed.moves, run, fewer);
+        const auto found = find_moved_camera(run, fewer, followed.tracked);
+        if (found.empty()) {
+            break;
+        }
+        forget_moves(found, run, fewer);
+        auto tracked = run_tracker(run, fewer, frame_count);
+        FrameViews whole = all_views();
+        forget_moves(followed.moves, run, whole);
+        const auto again = find_moved_camera(run, whole, tracked);
+        if (again.empty() || again.front().camera != found.front().camera) {
+            break;
+        }
+        followed.tracked = std::move(tracked);
+        followed.moves.insert(followed.moves.end(), found.begin(), found.end());
+    }
+    return followed;
+}
+
 }  // namespace
 
 Expected<TrackerStages> track_markers(const TrackerInput& input, const TrackerOptions& options) {
@@ -301,18 +375,34 @@ Expected<TrackerStages> track_markers(const TrackerInput& input, const TrackerOp
     if (auto checked = check_labels(input, run); !checked) {
         return fail(std::move(checked.error()));
     }
-    run.limits = limits_of(input, run, options.height);
-    FrameViews views(input.rig,
-                     input.seen,
-                     films->cameras,
-                     films->clocks,
-                     classes_of(input),
-                     line->first,
-                     options.frames_per_second,
-                     line->frame_count);
-    const std::vector<TrackedMarker> tracked = run_tracker(run, views, line->frame_count);
+    auto limits = limits_of(input, run, options.height);
+    if (!limits) {
+        return fail(std::move(limits.error()));
+    }
+    run.limits = std::move(*limits);
+    const std::vector<std::optional<std::size_t>> classes = classes_of(input);
+    const auto all_views = [&] {
+        return FrameViews(input.rig,
+                          input.seen,
+                          films->cameras,
+                          films->clocks,
+                          classes,
+                          line->first,
+                          options.frames_per_second,
+                          line->frame_count);
+    };
+    if (options.check_order) {
+        FrameViews views = all_views();
+        if (auto checked =
+                check_view_order(input.rig, views, line->frame_count, run.said, options.sigma);
+            !checked) {
+            return fail(std::move(checked.error()));
+        }
+    }
+    const Followed followed = follow_what_agrees(run, all_views, line->frame_count);
+    const std::vector<TrackedMarker>& tracked = followed.tracked;
     const Tracks empty = empty_tracks(input, *line, options.frames_per_second);
-    TrackerStages stages{empty, empty, empty};
+    TrackerStages stages{empty, empty, empty, followed.moves};
     fill_stages(
         tracked, run, options.smoothing, stages.triangulated, stages.filtered, stages.smoothed);
     return stages;

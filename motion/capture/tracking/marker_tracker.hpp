@@ -12,6 +12,7 @@
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 
 namespace raks::capture {
@@ -36,6 +37,7 @@ struct TrackerOptions {
     double acceleration = 20.0;  ///< of a marker, m/s^2: how far it may leave its prediction
     double smoothing = 12.0;     ///< the same when the tracks are smoothed afterwards
     double height = 0.0;         ///< of the dancer, metres; 0: the mannequin's
+    bool check_order = true;     ///< refuse films that fit better exchanged or mirrored
 };
 
 /// The same tracks at three stages: what a figure of the first two is compared with.
@@ -43,6 +45,7 @@ struct TrackerStages {
     Tracks triangulated;  ///< each frame by itself
     Tracks filtered;      ///< by Kalman's filter, as a live tracker would have them
     Tracks smoothed;      ///< with what follows known, too; gaps up to 0.5 s filled; with flags
+    std::vector<CameraMove> moves;  ///< cameras that disagree, and when; they do not count then
 };
 
 /// Follows the markers. In each frame every marker is predicted, matched with spots of its colour
@@ -52,11 +55,15 @@ struct TrackerStages {
 /// does not allow (distance_limits.hpp) is not believed: of the markers concerned the one that most
 /// of its neighbours contradict is given up and sought again. At the end each track is smoothed
 /// (Rauch, Tung and Striebel); gaps of 0.2 s and longer are flagged, those of 0.5 s are not filled.
+/// A camera that disagrees with the others (camera_moves.hpp) is left out where it does, and the
+/// markers are followed again without it, the worst camera first.
 ///
 /// Errors, one line each: what check_rig refuses; a film whose camera the rig has not, or without a
 /// clock; a label whose camera or marker there is not; no moment at which two cameras film; no
-/// marker that is labelled in two cameras at one moment. Same input, same bits. Threads: any, one
-/// a call. Cost: about 2,000 frames of six cameras a second.
+/// marker that is labelled in two cameras at one moment; films that check_view_order refuses; a world in
+/// which the dancer is larger or smaller than said by a quarter. Same
+/// input, same bits. Threads: any, one a call. Cost: about 2,000 frames of six cameras a second,
+/// again for each camera that was moved.
 [[nodiscard]] Expected<TrackerStages> track_markers(const TrackerInput& input,
                                                     const TrackerOptions& options);
 

@@ -12,6 +12,7 @@
 #include "motion/capture/tracking/marker_filter.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"
+#include "tests/motion/capture/filmed_swing.hpp"
 #include "tests/support/mangled.hpp"
 
 #include <glm/geometric.hpp>
@@ -20,51 +21,14 @@
 namespace raks::capture {
 namespace {
 
-// Somebody who turns, swings the arms and lifts the feet, at 60 frames a second.
-std::vector<motion::Pose> swinging(double seconds) {
-    std::vector<motion::Pose> poses;
-    for (int i = 0; i < static_cast<int>(60.0 * seconds); ++i) {
-        const float phase = 6.2831853F * static_cast<float>(i) / 60.0F;
-        const auto about = [&](float angle, glm::vec3 axis) { return glm::angleAxis(angle, axis); };
-        motion::Pose pose;
-        pose.hips_position = {0.3F * std::sin(0.3F * phase), 0.9F, 0.2F * std::cos(0.3F * phase)};
-        pose.rotation(motion::Bone::hips) = about(0.4F * phase, {0, 1, 0});
-        pose.rotation(motion::Bone::left_upper_arm) =
-            about(-1.1F + 0.4F * std::sin(phase), {0, 0, 1});
-        pose.rotation(motion::Bone::right_upper_arm) =
-            about(1.1F - 0.4F * std::sin(phase), {0, 0, 1});
-        pose.rotation(motion::Bone::left_lower_arm) =
-            about(-0.8F - 0.4F * std::sin(phase), {0, 1, 0});
-        pose.rotation(motion::Bone::left_upper_leg) =
-            about(-0.3F + 0.3F * std::sin(phase), {1, 0, 0});
-        pose.rotation(motion::Bone::left_lower_leg) =
-            about(0.4F - 0.3F * std::sin(phase), {1, 0, 0});
-        poses.push_back(pose);
-    }
-    return poses;
-}
-
-/// A take of that dance and all that a tracker needs.
-struct Scene {
+/// A take of four seconds.
+struct Scene : test::FilmedSwing {
     explicit Scene(const StudioOptions& options, MarkerColours colours = MarkerColours::unique)
-        : markers(default_markers(colours)),
-          take(film_points({motion::mannequin_skeleton(), poses, 60.0}, rig, markers, options)) {}
+        : FilmedSwing(4.0, options, colours) {}
 
-    [[nodiscard]] Expected<TrackerStages> track(const std::vector<Edit>& edits = {}) const {
-        TrackerOptions options;
-        options.frames_per_second = take.truth.frames_per_second;
-        options.first_time = 0.0;
-        return track_markers({rig, markers, take.seen, clocks, take.labels, edits}, options);
-    }
     [[nodiscard]] TrackErrors errors(const Tracks& tracks) const {
         return *track_errors(tracks, take.truth);
     }
-
-    std::vector<motion::Pose> poses = swinging(4.0);
-    Rig rig = studio_rig();
-    MarkerSet markers;
-    StudioTake take;
-    std::vector<Clock> clocks = take.clocks;
 };
 
 TEST(MarkerFilter, is_that_of_textbooks_on_a_line) {
@@ -104,7 +68,7 @@ TEST(DistanceLimits, hold_for_any_pose_of_the_body) {
     const MarkerSet markers = default_markers();
     const auto limits = distance_limits(markers, 0.0);
     EXPECT_GT(limits.size(), 25U);
-    for (const motion::Pose& pose : swinging(3.0)) {
+    for (const motion::Pose& pose : test::swinging(3.0)) {
         const auto places = marker_places(markers,
                                           motion::mannequin_skeleton(),
                                           motion::world_pose(motion::mannequin_skeleton(), pose));
@@ -114,6 +78,52 @@ TEST(DistanceLimits, hold_for_any_pose_of_the_body) {
             EXPECT_LE(apart, limit.most) << markers.markers[limit.one].name;
         }
     }
+}
+
+TEST(DistanceLimits, tell_how_large_the_body_is) {
+    const MarkerSet markers = default_markers();
+    const auto limits = distance_limits(markers, 0.0);
+    for (const motion::Pose& pose : test::swinging(0.5)) {
+        auto places = marker_places(markers,
+                                    motion::mannequin_skeleton(),
+                                    motion::world_pose(motion::mannequin_skeleton(), pose));
+        EXPECT_NEAR(*scale_of(places, limits), 1.0, 0.12);
+        for (glm::dvec3& place : places) {
+            place *= 1000.0;
+        }
+        EXPECT_NEAR(*scale_of(places, limits), 1000.0, 120.0);
+        for (std::size_t i = 3; i < places.size(); ++i) {
+            places[i] = glm::dvec3(std::nan(""));
+        }
+        EXPECT_FALSE(scale_of(places, limits));
+    }
+}
+
+TEST(MarkerTracker, a_board_of_another_size_than_said_is_told_by_the_dancer) {
+    for (const double factor : {2.0, 0.5}) {
+        Scene scene({});
+        for (Camera& camera : scene.rig.cameras) {
+            camera.translation *= factor;
+        }
+        const auto stages = scene.track();
+        ASSERT_FALSE(stages);
+        const std::string said = stages.error().message;
+        const std::size_t at = said.find("in metres; ");
+        ASSERT_NE(at, std::string::npos) << said;
+        EXPECT_NEAR(std::stod(said.substr(at + 11)), 1.0 / factor, 0.12 / factor) << said;
+    }
+}
+
+TEST(MarkerTracker, a_rig_in_millimetres_is_told) {
+    Scene scene({});
+    for (Camera& camera : scene.rig.cameras) {
+        camera.translation *= 1000.0;
+    }
+    const auto stages = scene.track();
+    ASSERT_FALSE(stages);
+    EXPECT_NE(stages.error().message.find("millimetres"), std::string::npos);
+    // One line, though every camera is far from every other.
+    EXPECT_EQ(rig_doubts(scene.rig).size(), 1U);
 }
 
 TEST(MarkerTracker, follows_every_marker_in_a_clean_scene) {

@@ -281,6 +281,16 @@ TEST(Solve, refuses_what_is_no_dance_of_a_body) {
         place.place *= 1000.0;
     }
     EXPECT_NE(error_of(large).find("are the cameras' places in metres?"), std::string::npos);
+    for (const double factor : {2.0, 0.5, 1.3}) {
+        TrueDance scaled = good;
+        for (MarkerPlace& place : scaled.tracks.places) {
+            place.place *= factor;
+        }
+        const std::string said = error_of(scaled, {.height = kMannequinHeight});
+        const std::size_t at = said.find("in metres; ");
+        ASSERT_NE(at, std::string::npos) << said;
+        EXPECT_NEAR(std::stod(said.substr(at + 11)), 1.0 / factor, 0.1 / factor) << said;
+    }
     TrueDance empty = good;
     std::fill(empty.tracks.places.begin(), empty.tracks.places.end(), MarkerPlace{});
     EXPECT_EQ(error_of(empty),
