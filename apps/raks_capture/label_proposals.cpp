@@ -112,6 +112,7 @@ void name_by_cameras(const ProposalInput& input,
             continue;
         }
         std::vector<double> of_spot;
+        of_spot.reserve(by_marker.size());
         for (const auto& distances : by_marker) {
             of_spot.push_back(distances[*spot]);
         }

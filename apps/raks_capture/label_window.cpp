@@ -149,14 +149,17 @@ class LabelContent : public render::PaneContent {
         const auto clock = std::find_if(work_.clocks.begin(),
                                         work_.clocks.end(),
                                         [&](const auto& one) { return one.camera == name; });
-        const auto read = seconds_.find({name, picture});
-        const capture::SeenFilm* const film = film_of(work_.seen, name);
-        const bool is_seen = film != nullptr && picture < film->pictures.size();
-        if (clock == work_.clocks.end() || (read == seconds_.end() && !is_seen)) {
+        if (clock == work_.clocks.end()) {
             return std::nullopt;
         }
-        return clock->capture_time(read != seconds_.end() ? read->second
-                                                          : film->pictures[picture].time);
+        const auto read = seconds_.find({name, picture});
+        if (read != seconds_.end()) {
+            return clock->capture_time(read->second);
+        }
+        const capture::SeenFilm* const film = film_of(work_.seen, name);
+        return film != nullptr && picture < film->pictures.size()
+                   ? std::optional(clock->capture_time(film->pictures[picture].time))
+                   : std::nullopt;
     }
 
     [[nodiscard]] bool is_of_this_moment(const MarkerLabel& label) const {

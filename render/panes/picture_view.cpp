@@ -97,11 +97,12 @@ PictureGesture picture_view(const PaneFrame& frame,
     if (picture != nullptr) {
         const PaneClip clip(frame, box);
         const Box whole = place.whole();
+        const auto name_of_picture = static_cast<std::uintptr_t>(picture->name());
         // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui's name of a texture is a pointer
-        ImGui::GetWindowDrawList()->AddImage(
-            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->name())),
-            {whole.x * unit, whole.y * unit},
-            {whole.right() * unit, whole.bottom() * unit});
+        auto* const texture = reinterpret_cast<ImTextureID>(name_of_picture);
+        ImGui::GetWindowDrawList()->AddImage(texture,
+                                             {whole.x * unit, whole.y * unit},
+                                             {whole.right() * unit, whole.bottom() * unit});
     }
     return gesture;
 }

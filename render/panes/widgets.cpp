@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -107,7 +108,9 @@ Colour named_colour(std::string_view name) noexcept {
     float blue = 0.0F;
     ImGui::ColorConvertHSVtoRGB(
         static_cast<float>(hash % 360U) / 360.0F, 0.62F, 0.95F, red, green, blue);
-    const auto byte = [](float share) { return static_cast<std::uint32_t>(share * 255.0F + 0.5F); };
+    const auto byte = [](float share) {
+        return static_cast<std::uint32_t>(std::lround(share * 255.0F));
+    };
     return {byte(red) << 16U | byte(green) << 8U | byte(blue)};
 }
 
