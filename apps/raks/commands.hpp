@@ -235,6 +235,14 @@ struct StickArguments {
     Path input;                        ///< a motion file, or a written dance (.toml)
     Path skeleton;                     ///< .asf of an .amc; empty: looked for beside it
     Path output;                       ///< .png: front and side views; empty: a window
+    std::string edges;                 ///< of points: a set, "auto", or a file; empty: none
+    Path other;                        ///< a second motion, compared with the first; empty: none
+    bool is_side_by_side = false;      ///< the two apart, not overlaid
+    std::string align = "none";        ///< what is done to the second: none, rigid, hips or both
+    double shift = 0.0;                ///< seconds by which the second begins later
+    double rate = 1.0;                 ///< at which a window or film plays; -2 to 4, not 0
+    bool has_names = false;            ///< names of points are shown
+    bool has_trails = false;           ///< and where they have been
     std::string figure;                ///< of a written dance; empty: all
     double bpm = 0.0;                  ///< to dance it at; 0: as it is written
     double fps = 0.0;                  ///< frames a second of the clip; 0: the file's

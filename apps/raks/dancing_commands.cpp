@@ -185,7 +185,25 @@ void add_sheet(RaksCommands& table) {
 void add_stick(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "stick", "play a motion clip as a stick figure", stick);
     app->add_option("file", a->input, "a motion file, or a written dance X.toml")->required();
-    app->add_option("-o,--out", a->output, "X.png: front and side views, no window");
+    auto* const other = app->add_option("other", a->other, "a second motion, compared with it");
+    app->add_option(
+        "-o,--out",
+        a->output,
+        "no window: X.png, front and side views; a film X.mp4, X.avi, X.mkv, X.webm, or "
+        "a folder of pictures");
+    app->add_flag("--side-by-side", a->is_side_by_side, "two motions apart, not overlaid")
+        ->needs(other);
+    app->add_option("--align", a->align, "what is done to the second: none, rigid, hips or both")
+        ->check(one_of({"none", "rigid", "hips", "both"}))
+        ->needs(other);
+    app->add_option("--shift", a->shift, "seconds by which the second begins later")
+        ->check(in_range(-86400.0, 86400.0))
+        ->needs(other);
+    app->add_option("--rate", a->rate, "how fast it plays: -2 to 4, 1 as recorded")
+        ->check(in_range(-2.0, 4.0));
+    app->add_flag("--names", a->has_names, "names of points or joints over the picture");
+    app->add_flag("--trails", a->has_trails, "where they were in the last second");
+    app->add_option("--edges", a->edges, "which points are joined: X.txt, body25, coco or auto");
     app->add_option("--figure", a->figure, "figure of the dance");
     app->add_option("--tempo", a->bpm, "BPM to dance it at")->check(in_range(30.0, 300.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
@@ -204,7 +222,8 @@ void add_stick(RaksCommands& table) {
     add_joint_options(*app, a->joints, "the clip");
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
-    app->add_option("--size", a->settings.size, "of the window, such as 1280x720");
+    app->add_option("--camera", a->settings.camera, "wide, portrait, front, side, back or top");
+    app->add_option("--size", a->settings.size, "of the window or film, such as 1280x720");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }
 

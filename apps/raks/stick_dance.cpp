@@ -148,6 +148,15 @@ void PreviewContent::draw(const engine::WindowPicture& picture, render::OverlayS
 }  // namespace
 
 ExitCode stick_dance(const StickArguments& arguments) {
+    if (!arguments.output.empty() && arguments.output.extension() != ".png") {
+        return fail(arguments.output.string() +
+                    ": cannot write this kind of picture of a written dance; known: .png (raks "
+                    "sheet --dance films one)");
+    }
+    if (!arguments.edges.empty() || !arguments.other.empty()) {
+        return fail(arguments.input.string() +
+                    ": is a written dance; --edges and a second motion are for clips and points");
+    }
     auto preview = engine::DancePreview::create(
         arguments.input,
         arguments.figure,

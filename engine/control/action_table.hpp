@@ -45,6 +45,7 @@ enum class Action : std::uint8_t {
     // view
     toggle_figure_view,
     next_camera,
+    select_camera,
     reset_camera,
     next_theme,
     toggle_overlay,
@@ -55,7 +56,7 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 29;
+inline constexpr std::size_t kActionCount = 30;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

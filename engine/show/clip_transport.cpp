@@ -5,15 +5,24 @@
 #include <cmath>
 #include <system_error>
 
-#include <fmt/format.h>
-
 namespace raks::engine {
 namespace {
 
 // Frames that a step with Shift takes.
 constexpr double kFarStep = 10.0;
+// What a key changes the rate by; with Shift less.
+constexpr double kRateStep = 0.25;
+constexpr double kSmallRateStep = 0.05;
 // A clip has at most 10 million frames; more digits would only overflow.
 constexpr std::size_t kMostDigits = 9;
+
+// Comma and full stop are what steps by a frame elsewhere.
+Key named_key(Key key) {
+    if (key == key_of(U',')) {
+        return Key::left;
+    }
+    return key == key_of(U'.') ? Key::right : key;
+}
 
 }  // namespace
 
@@ -26,12 +35,30 @@ ClipTransport::ClipTransport(std::size_t frame_count, double frames_per_second, 
 }
 
 // The position is in frames and may lie between two of them, so that any picture rate plays the
-// clip at its own speed.
+// clip at its own speed. Backward it goes round, too.
 void ClipTransport::advance(double seconds) {
-    if (!is_paused_) {
-        position_ = std::fmod(position_ + std::max(seconds, 0.0) * frames_per_second_,
-                              static_cast<double>(frame_count_));
+    if (is_paused_) {
+        return;
     }
+    const auto count = static_cast<double>(frame_count_);
+    position_ = std::fmod(position_ + rate_ * std::max(seconds, 0.0) * frames_per_second_, count);
+    position_ += position_ < 0.0 ? count : 0.0;
+}
+
+void ClipTransport::go_to(std::size_t frame) { stand_at(static_cast<double>(frame)); }
+
+void ClipTransport::go_to_share(double share) {
+    position_ = std::clamp(share, 0.0, 1.0) * static_cast<double>(frame_count_ - 1);
+}
+
+void ClipTransport::set_rate(double rate) {
+    rate_ = std::isnan(rate) ? 1.0 : std::clamp(rate, kLowestRate, kHighestRate);
+}
+
+// Steps lie on a grid and pass over 0, where nothing would move.
+void ClipTransport::step_rate(double step) {
+    const double stepped = std::round((rate_ + step) / std::abs(step)) * std::abs(step);
+    set_rate(std::abs(stepped) < 1e-9 ? step : stepped);
 }
 
 std::size_t ClipTransport::frame() const noexcept {
@@ -84,10 +111,15 @@ bool ClipTransport::handle(const KeyEvent& event) {
     if (type(event.key)) {
         return true;
     }
+    if (event.key == key_of(U'r')) {
+        set_rate(1.0);
+        return true;
+    }
     // Steps go from the frame that is shown, not from the position between two frames.
     const double step = event.has_shift ? kFarStep : 1.0;
+    const double rate_step = event.has_shift ? kSmallRateStep : kRateStep;
     const auto shown = static_cast<double>(frame());
-    switch (event.key) {
+    switch (named_key(event.key)) {
         case Key::space:
             // A held space must not flicker between pause and play.
             is_paused_ = event.is_repeat ? is_paused_ : !is_paused_;
@@ -97,6 +129,12 @@ bool ClipTransport::handle(const KeyEvent& event) {
             return true;
         case Key::right:
             stand_at(shown + step);
+            return true;
+        case Key::up:
+            step_rate(rate_step);
+            return true;
+        case Key::down:
+            step_rate(-rate_step);
             return true;
         case Key::home:
             stand_at(0.0);
@@ -109,14 +147,27 @@ bool ClipTransport::handle(const KeyEvent& event) {
     }
 }
 
-std::string ClipTransport::status() const {
-    std::string line = fmt::format("frame {} of {}   {:.2f} s",
-                                   frame(),
-                                   frame_count_,
-                                   static_cast<double>(frame()) / frames_per_second_);
-    line += is_paused_ ? "   paused" : "";
-    line += typed_.empty() ? "" : "   go to " + typed_ + "_";
-    return line;
+render::OverlayTransport ClipTransport::picture() const {
+    render::OverlayTransport picture;
+    picture.frame = frame();
+    picture.frame_count = frame_count_;
+    picture.frames_per_second = frames_per_second_;
+    picture.rate = rate_;
+    picture.is_paused = is_paused_;
+    picture.typed = typed_;
+    return picture;
+}
+
+std::vector<render::HelpRow> transport_keys() {
+    return {{"CLIP", {"Space"}, "pause, go on"},
+            {"CLIP", {"Left", "Right"}, "a frame back, on"},
+            {"CLIP", {",", "."}, "a frame back, on"},
+            {"CLIP", {"Shift+Left", "Shift+Right"}, "ten frames back, on"},
+            {"CLIP", {"Home", "End"}, "first, last frame"},
+            {"CLIP", {"0-9", "Enter"}, "go to this frame"},
+            {"CLIP", {"Down", "Up"}, "slower, faster"},
+            {"CLIP", {"Shift+Down", "Shift+Up"}, "in small steps"},
+            {"CLIP", {"R"}, "at its own rate again"}};
 }
 
 }  // namespace raks::engine

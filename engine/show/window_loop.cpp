@@ -1,6 +1,7 @@
 #include "engine/show/window_loop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -169,9 +170,11 @@ void WindowLoop::show(const std::string& line) {
 
 void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
     bind_window(actions);
-    // These three depend on the content.
+    // These four depend on the content.
     actions.on(Action::toggle_help, [&](double) { toggle_help(content, actions); });
     actions.on(Action::next_camera, [&](double) { go_to_next_camera(content); });
+    actions.on(Action::select_camera,
+               [&](double number) { look_from(static_cast<std::size_t>(number) - 1, content); });
     actions.on(Action::reset_camera, [&](double) { let_go_of_camera(content); });
     if (content.has_avatar()) {
         actions.on(Action::next_avatar, [this](double) { go_to_next_avatar(); });
@@ -207,7 +210,7 @@ void WindowLoop::handle(const render::WindowEvent& event,
     } else if (const auto* drag = std::get_if<render::MouseDragEvent>(&event)) {
         handle(*drag, content);
     } else if (const auto* button = std::get_if<render::MouseButtonEvent>(&event)) {
-        handle(*button, content);
+        handle(*button, content, actions);
     } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
         move_camera(scene_.camera, *scroll);
         is_camera_held_ = true;
@@ -234,7 +237,9 @@ void WindowLoop::handle(const KeyEvent& key,
 }
 
 // A click on the overlay uses it; anywhere else it begins to move the camera.
-void WindowLoop::handle(const render::MouseButtonEvent& button, WindowContent& content) {
+void WindowLoop::handle(const render::MouseButtonEvent& button,
+                        WindowContent& content,
+                        const ActionDispatcher& actions) {
     is_position_held_ = false;
     is_click_taken_ = false;
     pointer_x_ = button.x;
@@ -243,6 +248,10 @@ void WindowLoop::handle(const render::MouseButtonEvent& button, WindowContent& c
         return;
     }
     is_click_taken_ = true;
+    if (*control == render::OverlayControl::help) {
+        toggle_help(content, actions);
+        return;
+    }
     is_position_held_ = *control == render::OverlayControl::position;
     content.use(*control, controls_.share_at(pointer_x_));
 }
@@ -352,6 +361,16 @@ void WindowLoop::go_to_next_camera(const WindowContent& content) {
     // Where there is no director, the first preset has stood in for it.
     const bool is_stand_in = camera_name_ == kDirector && !content.has_director();
     camera_name_ = name_after(is_stand_in ? presets.front() : camera_name_, names);
+    is_from_above_ = false;
+    let_go_of_camera(content);
+    say("camera " + camera_name_);
+}
+
+// In the order of the action's keys.
+void WindowLoop::look_from(std::size_t direction, const WindowContent& content) {
+    constexpr std::array<std::string_view, 4> kNames = {"front", "side", "back", "top"};
+    camera_name_ = kNames[direction];
+    is_from_above_ = camera_name_ == "top";
     let_go_of_camera(content);
     say("camera " + camera_name_);
 }
@@ -415,8 +434,11 @@ void WindowLoop::take_avatar(const LoadedAvatar& avatar, float size_before) {
 
 // The content may move a preset: a formation needs more room than one dancer.
 render::Camera WindowLoop::preset(const WindowContent& content) const {
-    return content.framed(
-        camera_for(preset_of(camera_name_), render::size_of(drawing_.bodies.avatar())));
+    render::Camera camera = preset_of(camera_name_);
+    if (is_from_above_) {
+        camera.orbit(0.0F, render::Camera::kMaxPitch);
+    }
+    return content.framed(camera_for(camera, render::size_of(drawing_.bodies.avatar())));
 }
 
 std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,

@@ -40,8 +40,8 @@ class WindowContent {
 
     /// Gets each key before the table of actions does. True: the content has used it.
     virtual bool handle(const KeyEvent& /*key*/) { return false; }
-    /// Called when something of the overlay is clicked, and while it is dragged. `share`: of the
-    /// file, [0, 1], where the position is meant.
+    /// Called when something of the overlay is clicked, and while it is dragged; the list of keys
+    /// is the loop's own. `share`: of the file, [0, 1], where the position is meant.
     virtual void use(render::OverlayControl /*control*/, double /*share*/) {}
     /// Help lines of the keys that handle() uses.
     [[nodiscard]] virtual std::vector<render::HelpRow> own_keys() const { return {}; }
@@ -125,7 +125,9 @@ class WindowLoop {
                 WindowContent& content,
                 const ActionDispatcher& actions);
     void handle(const KeyEvent& key, WindowContent& content, const ActionDispatcher& actions);
-    void handle(const render::MouseButtonEvent& button, WindowContent& content);
+    void handle(const render::MouseButtonEvent& button,
+                WindowContent& content,
+                const ActionDispatcher& actions);
     void handle(const render::MouseDragEvent& drag, WindowContent& content);
     void handle(const render::DropEvent& drop, const WindowContent& content);
     void draw(WindowContent& content);
@@ -136,6 +138,7 @@ class WindowLoop {
     void toggle_help(const WindowContent& content, const ActionDispatcher& actions);
     void toggle_overlay();
     void go_to_next_camera(const WindowContent& content);
+    void look_from(std::size_t direction, const WindowContent& content);
     void let_go_of_camera(const WindowContent& content);
     void go_to_next_theme();
     void go_to_next_avatar();
@@ -150,6 +153,7 @@ class WindowLoop {
     render::Scene scene_;
     std::string camera_name_;
     bool is_camera_held_ = false;  // by a person's hand
+    bool is_from_above_ = false;   // steeper than the preset, which shows a dancer's face
     std::string avatar_name_;      // as LoadedAvatar::name, of the one asked for last
     AvatarChange avatar_change_;
     render::OverlayView overlay_view_;

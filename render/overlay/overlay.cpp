@@ -150,6 +150,12 @@ std::optional<OverlayControl> OverlayControls::at(float x, float y) const noexce
     if (play_sign.holds(x, y)) {
         return OverlayControl::play_sign;
     }
+    if (mark.holds(x, y)) {
+        return OverlayControl::mark;
+    }
+    if (help.holds(x, y)) {
+        return OverlayControl::help;
+    }
     return position.holds(x, y) ? std::optional(OverlayControl::position) : std::nullopt;
 }
 
@@ -163,8 +169,9 @@ OverlayControls Overlay::draw(const OverlayState& given,
                               float content_scale) {
     const OverlayState state = in_range(given);
     // A hidden overlay costs nothing.
-    const bool has_nothing =
-        view == OverlayView::hidden && state.message.empty() && state.help.empty();
+    const bool has_nothing = view == OverlayView::hidden && state.message.empty() &&
+                             state.help.empty() && !state.transport && state.lines.empty() &&
+                             state.labels.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
         return {};
     }
@@ -187,6 +194,7 @@ OverlayControls Overlay::draw(const OverlayState& given,
                         static_cast<float>(target.height) / scale};
     const bool is_help = !state.help.empty();
     OverlayControls controls;
+    draw_marks(pen, state);
     // Cards below the list of keys would shine through it.
     const bool has_cards = view == OverlayView::shown && (!is_help || has_room_beside_help(canvas));
     if (has_cards && !has_room_for_cards(canvas)) {
@@ -196,6 +204,9 @@ OverlayControls Overlay::draw(const OverlayState& given,
         draw_dance(pen, state, canvas);
         controls = draw_source(pen, state, canvas);
         draw_level(pen, state, canvas);
+    }
+    if (state.transport) {
+        controls = draw_transport(pen, *state.transport, canvas);
     }
     draw_message(pen, state.message, canvas);
     if (is_help) {

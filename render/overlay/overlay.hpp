@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,38 @@ struct HelpRow {
     std::string group;              ///< "PLAYING"
     std::vector<std::string> keys;  ///< as written on the keys: "Left", "Right"
     std::string text;               ///< "back, forward 5 s"
+};
+
+/// What moves through a clip, as a bar along the lower edge.
+struct OverlayTransport {
+    std::size_t frame = 0;           ///< that is shown, from 0
+    std::size_t frame_count = 1;     ///< >= 1
+    double frames_per_second = 1.0;  ///< of the clip, > 0
+    double rate = 1.0;               ///< at which it plays; < 0: backward
+    bool is_paused = false;          ///< stands at the frame
+    std::string_view typed{};        ///< digits of a frame that somebody is typing
+    /// By frame, [0, 1]: drawn over the bar, such as how far two motions are apart; NaN: nothing.
+    std::span<const float> curve{};
+    std::optional<std::size_t> mark{};  ///< a frame of interest: can be clicked
+    std::string_view mark_name{};       ///< what is there: "worst"
+};
+
+/// A line over the picture, in pixels of the target, y down from its top.
+struct OverlayLine {
+    float from_x = 0.0F;
+    float from_y = 0.0F;
+    float to_x = 0.0F;
+    float to_y = 0.0F;
+    std::uint32_t rgb = 0;  ///< 0xRRGGBB
+    float alpha = 1.0F;     ///< [0, 1]
+};
+
+/// A short name beside a place in the picture, in pixels as above. Names that would cover one
+/// another are left out.
+struct OverlayLabel {
+    float x = 0.0F;
+    float y = 0.0F;
+    std::string_view text{};
 };
 
 /// Everything that the overlay shows, as it is at the moment that the picture is about. Views
@@ -55,6 +88,10 @@ struct OverlayState {
     std::uint64_t late = 0;              ///< pictures or figures that came late
     bool has_keys = false;               ///< whether keys are listened to: a hint how to list them
     std::string_view message{};          ///< one line, e.g. "screenshot saved: raks-....png"
+    // Over the picture, below all cards, whatever the view is.
+    std::span<const OverlayLine> lines{};         ///< such as trails of points
+    std::span<const OverlayLabel> labels{};       ///< names of points
+    std::optional<OverlayTransport> transport{};  ///< of a clip; none: none
     // Above all else.
     std::span<const HelpRow> help{};  ///< the keys; none: not asked for
 };
@@ -72,6 +109,8 @@ enum class OverlayView : std::uint8_t {
 enum class OverlayControl : std::uint8_t {
     play_sign,  ///< pauses, goes on
     position,   ///< the bar: a place of the file
+    mark,       ///< OverlayTransport::mark
+    help,       ///< opens and closes the list of keys
 };
 
 /// Where the controls of a drawn overlay are, in pixels of the target, y down from its top.
@@ -89,6 +128,8 @@ struct OverlayControls {
     };
     Area play_sign;     ///< with some room around it, so that it is easily hit
     Area position;      ///< likewise above and below
+    Area mark;          ///< the words that name the frame of interest
+    Area help;          ///< the sign "?"
     float from = 0.0F;  ///< x of the file's start on the bar
     float to = 0.0F;    ///< x of its end
 

@@ -52,6 +52,12 @@ void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas)
 OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Bottom right: level, loudness, volume.
 void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas);
+/// Lines and names over the picture.
+void draw_marks(const Pen& pen, const OverlayState& state);
+/// Along the lower edge: which frame of a clip is shown. Returns where it can be clicked.
+OverlayControls draw_transport(const Pen& pen,
+                               const OverlayTransport& transport,
+                               const Canvas& canvas);
 /// Above the source: one line that comes and goes.
 void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
 /// Middle: the list of keys in two columns, which break between groups.

@@ -156,7 +156,7 @@ void ClipFigures::look_at_rest_pose() {
         joint.is_small = std::abs(rest[j].x) > kFingersFrom * height &&
                          glm::length(rest[j] - rest[parent]) < kFingerLength * height;
         if (std::abs(rest[j].x) > kMiddle * height) {
-            joint.side = rest[j].x > 0.0 ? JointSide::left : JointSide::right;
+            joint.side = rest[j].x > 0.0 ? StickPart::left : StickPart::right;
         }
         // A joint below the head is hidden, and with it everything below that joint; so is what a
         // body's hips hang on (a root that stays on the floor).
@@ -236,9 +236,7 @@ void ClipFigures::add_joint(const motion::ClipWorldPose& world,
                             std::size_t j,
                             Shape<StickVertex>& shape) const {
     const Joint& joint = joints_[j];
-    const StickPart part = joint.side == JointSide::middle ? StickPart::middle
-                           : joint.side == JointSide::left ? StickPart::left
-                                                           : StickPart::right;
+    const StickPart part = joint.side;
     StickBuilder builder(shape, 0, part);
     const glm::vec3 place = place_of(world.positions[j]);
     const float radius = size_ * (joint.is_small ? kStickFingerRadius : kStickJointRadius);
@@ -303,6 +301,17 @@ ClipFigure ClipFigures::at(std::size_t frame) const {
     add_head(world, figure.shape);
     figure.landmarks = landmarks(world);
     return figure;
+}
+
+std::vector<FigurePoint> ClipFigures::points(std::size_t frame) const {
+    const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
+    std::vector<FigurePoint> points;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+        if (joints_[j].is_drawn) {
+            points.push_back({clip_.joints[j].name, place_of(world.positions[j]), joints_[j].side});
+        }
+    }
+    return points;
 }
 
 }  // namespace raks::render

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,10 +28,19 @@ struct ClipFigure {
     motion::WorldPose landmarks;
 };
 
+/// A joint or point of a recording on the stage.
+struct FigurePoint {
+    std::string_view name;               ///< as its file has it; lives as long as the figures
+    glm::vec3 place{};                   ///< in the world, metres; NaN: not seen
+    StickPart part = StickPart::middle;  ///< whose colour it has
+};
+
 /// What is drawn of a recording, frame by frame.
 class RecordedFigures {
  public:
     virtual ~RecordedFigures() = default;
+    /// Its joints or points at a frame, where `at` draws them; the same ones in each frame.
+    [[nodiscard]] virtual std::vector<FigurePoint> points(std::size_t frame) const = 0;
     /// Its height divided by the mannequin's: the factor for a camera's distance.
     [[nodiscard]] virtual float size() const noexcept = 0;
     /// The figure at a frame of the recording; `frame` < its frame count.
@@ -74,15 +84,16 @@ class ClipFigures final : public RecordedFigures {
 
     /// The figure at a frame of the clip; `frame` < the clip's frame count.
     [[nodiscard]] ClipFigure at(std::size_t frame) const override;
+    /// Those of its joints that are drawn.
+    [[nodiscard]] std::vector<FigurePoint> points(std::size_t frame) const override;
 
  private:
     explicit ClipFigures(motion::MotionClip clip) : clip_(std::move(clip)) {}
 
-    enum class JointSide : std::uint8_t { middle, left, right };
     struct Joint {
         bool is_drawn = true;   // below a head: eyes and jaws lie inside the egg
         bool is_small = false;  // a finger's
-        JointSide side = JointSide::middle;
+        StickPart side = StickPart::middle;
     };
 
     void find_bones(const motion::BodyOptions& options);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "base/assert.hpp"
 #include "base/statistics.hpp"
 #include "render/scene/stick_figure.hpp"
 
@@ -15,13 +17,14 @@
 namespace raks::render {
 namespace {
 
-constexpr std::size_t kMostPoints = 1000;     // 54 vertices each: what 16-bit indices have room for
+constexpr std::size_t kMostPoints = 1000;     // what 16-bit indices have room for, twice
 constexpr double kFigureHeight = 1.714;       // metres: what the camera's distance belongs to
 constexpr double kLeastPerson = 0.5;          // metres of what is taken for a person
 constexpr double kMostPerson = 2.5;           // metres
 constexpr double kUsualPerson = 1.7;          // metres, where no unit fits
 constexpr double kFloorPointShare = 0.05;     // of the frames have their lowest point below
 constexpr std::size_t kFramesLookedAt = 500;  // evenly over the recording
+constexpr float kOverlaidTint = 0.75F;  // of the colour on a stick, where there are two motions
 
 bool is_seen(const glm::dvec3& place) { return !std::isnan(place.x); }
 
@@ -30,6 +33,9 @@ struct Box {
     glm::dvec3 low{1e300};
     glm::dvec3 high{-1e300};
 };
+Box joined(const Box& one, const Box& other) {
+    return {glm::min(one.low, other.low), glm::max(one.high, other.high)};
+}
 std::optional<Box> box_of(const motion::PointClip& clip, std::size_t frame) {
     Box box;
     bool is_any = false;
@@ -63,6 +69,35 @@ glm::dvec3 usual_extent(const motion::PointClip& clip) {
     return usual;
 }
 
+// By point: smaller where its shortest stick is short, as in fingers, so that they stay apart.
+std::vector<float> radii_of(const motion::WorldPoints& points) {
+    constexpr double kOfStick = 0.35;       // of the shortest stick's length
+    constexpr double kWhole = 0.026 * 0.9;  // metres, of a point that stands free
+    constexpr double kSmallest = 0.3;
+    std::vector<double> shortest(points.clip.names.size(), 1e300);
+    for (const motion::PointEdge& edge : points.edges) {
+        std::vector<double> lengths;
+        const std::size_t step = std::max<std::size_t>(1, points.clip.frame_count / 20);
+        for (std::size_t frame = 0; frame < points.clip.frame_count; frame += step) {
+            const double length = glm::distance(points.clip.position(frame, edge.from),
+                                                points.clip.position(frame, edge.to));
+            if (!std::isnan(length)) {
+                lengths.push_back(length);
+            }
+        }
+        if (!lengths.empty()) {
+            const double usual = upper_median(std::move(lengths));
+            shortest[edge.from] = std::min(shortest[edge.from], usual);
+            shortest[edge.to] = std::min(shortest[edge.to], usual);
+        }
+    }
+    std::vector<float> radii;
+    for (const double length : shortest) {
+        radii.push_back(static_cast<float>(std::clamp(kOfStick * length / kWhole, kSmallest, 1.0)));
+    }
+    return radii;
+}
+
 }  // namespace
 
 GuessedPointFrame guess_point_frame(const motion::PointClip& clip) {
@@ -84,44 +119,56 @@ GuessedPointFrame guess_point_frame(const motion::PointClip& clip) {
     return guess;
 }
 
-PointFigures::PointFigures(const motion::PointClip& clip, const PointFrame& frame)
-    : clip_(&clip), metres_per_unit_(frame.metres_per_unit) {
-    // The shortest turn; up against y it is half a turn about x.
-    const glm::dvec3 y(0.0, 1.0, 0.0);
-    const double cosine = glm::dot(frame.up, y);
-    turn_ = cosine < -0.9999 ? glm::dquat(0.0, 1.0, 0.0, 0.0)
-                             : glm::normalize(glm::dquat(1.0 + cosine, glm::cross(frame.up, y)));
+PointFigures::PointFigures(std::vector<motion::WorldPoints> motions) {
+    constexpr std::array<StickPart, 2> kColours = {StickPart::left, StickPart::right};
+    for (motion::WorldPoints& points : motions) {
+        const StickPart colour =
+            motions.size() == 1 ? StickPart::middle : kColours[parts_.size() % kColours.size()];
+        std::vector<float> radii = radii_of(points);
+        parts_.push_back({std::move(points), {}, std::move(radii), colour});
+    }
 }
 
-Expected<PointFigures> PointFigures::create(const motion::PointClip& clip,
-                                            const PointFrame& frame) {
-    if (clip.frame_count == 0 || clip.names.empty()) {
-        return fail("has no frame to draw");
+Expected<PointFigures> PointFigures::create(std::vector<motion::WorldPoints> motions,
+                                            Arrangement arrangement) {
+    for (const motion::WorldPoints& points : motions) {
+        if (points.clip.frame_count == 0 || points.clip.names.empty()) {
+            return fail("has no frame to draw");
+        }
+        if (points.named > kMostPoints || points.clip.names.size() > 2 * kMostPoints) {
+            return fail("has " + std::to_string(points.named) + " points; at most " +
+                        std::to_string(kMostPoints) + " can be drawn");
+        }
+        RAKS_ASSERT(points.clip.frame_count == motions.front().clip.frame_count);
     }
-    if (clip.names.size() > kMostPoints) {
-        return fail("has " + std::to_string(clip.names.size()) + " points; at most " +
-                    std::to_string(kMostPoints) + " can be drawn");
+    PointFigures figures(std::move(motions));
+    if (auto stood = figures.stand_on_floor(); !stood) {
+        return fail(std::move(stood.error()));
     }
-    PointFigures figures(clip, frame);
+    if (arrangement == Arrangement::side_by_side) {
+        figures.stand_side_by_side();
+    }
+    if (auto chosen = figures.choose_detail(); !chosen) {
+        return fail(std::move(chosen.error()));
+    }
+    return figures;
+}
+
+Expected<void> PointFigures::stand_on_floor() {
     std::vector<double> lowest;
     std::vector<double> highest;
-    glm::dvec3 low(1e300);
-    glm::dvec3 high(-1e300);
-    for (std::size_t i = 0; i < clip.frame_count; ++i) {
-        double least = 1e300;
-        double most = -1e300;
-        for (std::size_t point = 0; point < clip.names.size(); ++point) {
-            if (const glm::dvec3& place = clip.position(i, point); is_seen(place)) {
-                const glm::dvec3 at = figures.upright(place);
-                low = glm::min(low, at);
-                high = glm::max(high, at);
-                least = std::min(least, at.y);
-                most = std::max(most, at.y);
+    Box way;
+    for (std::size_t frame = 0; frame < parts_.front().points.clip.frame_count; ++frame) {
+        Box all;
+        for (const Part& part : parts_) {
+            if (const auto box = box_of(part.points.clip, frame)) {
+                all = joined(all, *box);
             }
         }
-        if (least <= most) {
-            lowest.push_back(least);
-            highest.push_back(most);
+        if (all.low.y <= all.high.y) {
+            lowest.push_back(all.low.y);
+            highest.push_back(all.high.y);
+            way = joined(way, all);
         }
     }
     if (lowest.empty()) {
@@ -132,37 +179,123 @@ Expected<PointFigures> PointFigures::create(const motion::PointClip& clip,
     const double floor = nth_value(lowest, rank);
     // As high as they reach but for single stray points: hands over the head, too, are framed.
     const double top = nth_value(highest, highest.size() - 1 - rank);
-    figures.origin_ = {0.5 * (low.x + high.x), floor, 0.5 * (low.z + high.z)};
-    figures.size_ = static_cast<float>(std::clamp((top - floor) / kFigureHeight, 0.05, 20.0));
-    return figures;
+    for (Part& part : parts_) {
+        part.origin = {0.5 * (way.low.x + way.high.x), floor, 0.5 * (way.low.z + way.high.z)};
+    }
+    size_ = static_cast<float>(std::clamp((top - floor) / kFigureHeight, 0.05, 20.0));
+    return {};
 }
 
-glm::dvec3 PointFigures::upright(const glm::dvec3& place) const {
-    return metres_per_unit_ * (turn_ * place);
+// Each in the middle of its own way, as far apart as the wider of them is in most frames.
+void PointFigures::stand_side_by_side() {
+    constexpr double kGap = 1.25;  // against the width
+    double width = 0.0;
+    for (const Part& part : parts_) {
+        width = std::max(width, usual_extent(part.points.clip).x);
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        Box way;
+        for (std::size_t frame = 0; frame < part.points.clip.frame_count; ++frame) {
+            if (const auto box = box_of(part.points.clip, frame)) {
+                way = joined(way, *box);
+            }
+        }
+        if (way.low.x <= way.high.x) {
+            const double place =
+                static_cast<double>(i) - 0.5 * static_cast<double>(parts_.size() - 1);
+            part.origin.x = 0.5 * (way.low.x + way.high.x) - kGap * width * place;
+            part.origin.z = 0.5 * (way.low.z + way.high.z);
+        }
+    }
+}
+
+// The finest for which all points and sticks fit one mesh. Errors: too many points for any.
+Expected<void> PointFigures::choose_detail() {
+    constexpr std::array<Detail, 4> kDetails = {{{10, 18, 12}, {5, 8, 8}, {4, 5, 4}, {3, 4, 3}}};
+    constexpr std::size_t kMostVertices = 65'535;  // 16-bit indices
+    std::size_t points = 0;
+    std::size_t edges = 0;
+    for (const Part& part : parts_) {
+        points += part.points.clip.names.size();
+        edges += part.points.edges.size();
+    }
+    for (const Detail& detail : kDetails) {
+        detail_ = detail;
+        const std::size_t of_points = points * (detail.rows + 1) * (detail.columns + 1);
+        if (of_points + edges * 2 * (detail.sides + 1) <= kMostVertices) {
+            return {};
+        }
+    }
+    const std::size_t of_points = points * (detail_.rows + 1) * (detail_.columns + 1);
+    if (of_points > kMostVertices) {
+        return fail("has " + std::to_string(points) + " points in all, more than can be drawn");
+    }
+    // Only an edges file can name so many: the last of them are left undrawn.
+    const std::size_t room =
+        (kMostVertices - of_points) / (2 * (detail_.sides + 1)) / parts_.size();
+    for (Part& part : parts_) {
+        part.points.edges.resize(std::min(part.points.edges.size(), room));
+    }
+    return {};
+}
+
+void PointFigures::add(const Part& part, std::size_t frame, Shape<StickVertex>& shape) const {
+    const motion::WorldPoints& points = part.points;
+    StickBuilder builder(shape, 0, part.colour);
+    builder.set_tint(1.0F);
+    const auto at = [&](std::size_t point) {
+        return glm::vec3(points.clip.position(frame, point) - part.origin);
+    };
+    // Smaller than a joint where there are many.
+    const float radius = (points.clip.names.size() < 100 ? 0.9F : 0.6F) * kStickJointRadius * size_;
+    for (std::size_t point = 0; point < points.clip.names.size(); ++point) {
+        if (is_seen(points.clip.position(frame, point))) {
+            builder.add_ellipsoid(
+                at(point), glm::vec3(radius * part.radii[point]), detail_.rows, detail_.columns);
+        }
+    }
+    // Sticks are paler than points; of two motions both must keep their colour.
+    builder.set_tint(part.colour == StickPart::middle ? 0.0F : kOverlaidTint);
+    for (const motion::PointEdge& edge : points.edges) {
+        if (is_seen(points.clip.position(frame, edge.from)) &&
+            is_seen(points.clip.position(frame, edge.to))) {
+            const float thin = std::min(part.radii[edge.from], part.radii[edge.to]);
+            const float thickness = kStickBoneRadius * size_ * thin;
+            builder.add_cone(at(edge.from), at(edge.to), thickness, thickness, detail_.sides);
+        }
+    }
 }
 
 ClipFigure PointFigures::at(std::size_t frame) const {
     ClipFigure figure;
-    StickBuilder builder(figure.shape, 0, StickPart::middle);
-    builder.set_tint(1.0F);
-    // Smaller than a joint where there are many.
-    const float radius = (clip_->names.size() < 100 ? 0.9F : 0.6F) * kStickJointRadius * size_;
     glm::dvec3 sum(0.0);
     double count = 0.0;
-    for (std::size_t point = 0; point < clip_->names.size(); ++point) {
-        const glm::dvec3& place = clip_->position(frame, point);
-        if (!is_seen(place)) {
-            continue;
+    for (const Part& part : parts_) {
+        add(part, frame, figure.shape);
+        for (std::size_t point = 0; point < part.points.clip.names.size(); ++point) {
+            if (const glm::dvec3& place = part.points.clip.position(frame, point); is_seen(place)) {
+                sum += place - part.origin;
+                count += 1.0;
+            }
         }
-        const glm::dvec3 at = upright(place) - origin_;
-        builder.add_ellipsoid(glm::vec3(at), glm::vec3(radius), 5, 8);
-        sum += at;
-        count += 1.0;
     }
     // The camera follows their middle; where none is seen it stays at the stage's.
     figure.landmarks.rotations.fill(motion::kNoRotation);
     figure.landmarks.positions.fill(glm::vec3(count > 0.0 ? sum / count : glm::dvec3(0.0)));
     return figure;
+}
+
+std::vector<FigurePoint> PointFigures::points(std::size_t frame) const {
+    std::vector<FigurePoint> points;
+    for (const Part& part : parts_) {
+        const motion::PointClip& clip = part.points.clip;
+        for (std::size_t point = 0; point < part.points.named; ++point) {
+            const glm::vec3 place(clip.position(frame, point) - part.origin);
+            points.push_back({clip.names[point], place, part.colour});
+        }
+    }
+    return points;
 }
 
 }  // namespace raks::render

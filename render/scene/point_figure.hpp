@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/expected.hpp"
 #include "motion/skeleton/point_clip.hpp"
+#include "motion/skeleton/points/joint_points.hpp"
 #include "render/scene/clip_figure.hpp"
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 namespace raks::render {
@@ -27,27 +28,51 @@ struct GuessedPointFrame {
 };
 [[nodiscard]] GuessedPointFrame guess_point_frame(const motion::PointClip& clip);
 
-/// Recorded points as spheres, joined by nothing: no body is known. Upright, the lowest on the
-/// floor (the 5th percentile over the frames), the middle of their way at the stage's centre.
-/// Points that were not seen are not drawn. Threads: any (immutable). Real-time: no.
+/// Where several motions stand to each other.
+enum class Arrangement : std::uint8_t {
+    overlaid,      ///< as they lie in the world
+    side_by_side,  ///< each by itself, the first left
+};
+
+/// Recorded points as spheres, joined by sticks along their edges. Upright, the lowest on the floor
+/// (the 5th percentile over the frames), the middle of their way at the stage's centre. Points that
+/// were not seen are not drawn, nor are sticks to them. A single motion is pale; of two the first
+/// has the left side's colour, the second the right's. Threads: any (immutable). Real-time: no.
 class PointFigures final : public RecordedFigures {
  public:
-    /// The clip must outlive it. Errors: no frames, more points than a mesh has room for (1,000).
-    [[nodiscard]] static Expected<PointFigures> create(const motion::PointClip& clip,
-                                                       const PointFrame& frame);
+    /// `motions`: one or two, of the same number of frames. Errors: no frames, more points than a
+    /// mesh has room for (1,000 of a motion).
+    [[nodiscard]] static Expected<PointFigures> create(
+        std::vector<motion::WorldPoints> motions, Arrangement arrangement = Arrangement::overlaid);
 
     [[nodiscard]] float size() const noexcept override { return size_; }
     [[nodiscard]] ClipFigure at(std::size_t frame) const override;
+    /// All but tips of limbs.
+    [[nodiscard]] std::vector<FigurePoint> points(std::size_t frame) const override;
 
  private:
-    PointFigures(const motion::PointClip& clip, const PointFrame& frame);
-    [[nodiscard]] glm::dvec3 upright(const glm::dvec3& place) const;
+    struct Part {
+        motion::WorldPoints points;
+        glm::dvec3 origin{};       // of the stage; metres
+        std::vector<float> radii;  // by point, against a point that stands free
+        StickPart colour = StickPart::middle;
+    };
+    // Cells of a sphere and sides of a stick.
+    struct Detail {
+        std::size_t rows;
+        std::size_t columns;
+        std::size_t sides;
+    };
 
-    const motion::PointClip* clip_;
-    double metres_per_unit_ = 1.0;
-    glm::dquat turn_{1.0, 0.0, 0.0, 0.0};  // from the recording's axes to y up
-    glm::dvec3 origin_{};                  // of the stage; metres, upright
+    explicit PointFigures(std::vector<motion::WorldPoints> motions);
+    [[nodiscard]] Expected<void> stand_on_floor();
+    void stand_side_by_side();
+    [[nodiscard]] Expected<void> choose_detail();
+    void add(const Part& part, std::size_t frame, Shape<StickVertex>& shape) const;
+
+    std::vector<Part> parts_;
     float size_ = 1.0F;
+    Detail detail_{};
 };
 
 }  // namespace raks::render

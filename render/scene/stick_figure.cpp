@@ -159,8 +159,8 @@ void StickBuilder::add_ellipsoid(glm::vec3 middle,
     connect(first, rows, columns);
 }
 
-void StickBuilder::add_cone(glm::vec3 from, glm::vec3 to, float from_radius, float to_radius) {
-    constexpr std::size_t kSides = 12;
+void StickBuilder::add_cone(
+    glm::vec3 from, glm::vec3 to, float from_radius, float to_radius, std::size_t sides) {
     const float length = glm::length(to - from);
     // Joints in one place have no axis between them.
     if (length < 1e-4F) {
@@ -176,13 +176,13 @@ void StickBuilder::add_cone(glm::vec3 from, glm::vec3 to, float from_radius, flo
     const std::size_t first = shape_.vertices.size();
     // From the far ring to the near one: so that the triangles face outward.
     for (const auto& [centre, radius] : {std::pair{to, to_radius}, std::pair{from, from_radius}}) {
-        for (std::size_t side = 0; side <= kSides; ++side) {
-            const float angle = 2.0F * glm::pi<float>() * ratio(side, kSides);
+        for (std::size_t side = 0; side <= sides; ++side) {
+            const float angle = 2.0F * glm::pi<float>() * ratio(side, sides);
             const glm::vec3 out = std::cos(angle) * u + std::sin(angle) * v;
             add_vertex(centre + radius * out, glm::normalize(out + slope * axis));
         }
     }
-    connect(first, 1, kSides);
+    connect(first, 1, sides);
 }
 
 void StickBuilder::add_head() {

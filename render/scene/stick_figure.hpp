@@ -55,7 +55,8 @@ class StickBuilder {
     /// pole.
     void add_ellipsoid(glm::vec3 middle, glm::vec3 radii, std::size_t rows, std::size_t columns);
     /// A cone without caps from one joint to another; the spheres of the joints cover its ends.
-    void add_cone(glm::vec3 from, glm::vec3 to, float from_radius, float to_radius);
+    void add_cone(
+        glm::vec3 from, glm::vec3 to, float from_radius, float to_radius, std::size_t sides = 12);
     /// An egg with a nose, over a head's joint at the origin, facing +z.
     void add_head();
 

@@ -1,6 +1,13 @@
 // raks stick without a display: sheets of clips, and what it refuses. raks sheet: a film.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
@@ -119,6 +126,8 @@ TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
         {{path("clip.fbx")}, "is no motion file of a known kind; known: BVH, "},
         {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
         {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
+        {{clip("odd/plain.bvh"), "--rate", "0"}, "--rate 0 would stand still"},
+        {{clip("odd/plain.bvh"), "--edges", "auto"}, "has a hierarchy, which joins its joints"},
         {{clip("bad/frame_time_zero.bvh")}, "give the rate with --fps"},
     };
     for (const auto& [arguments, part] : cases) {
@@ -200,6 +209,147 @@ TEST_F(Stick, draws_skeletons_and_points_of_other_formats) {
     EXPECT_NE(points.err.find("holds 2 points, which must be solved to a body first"),
               std::string::npos)
         << points.err;
+}
+
+// Four points, the knee unseen in the middle.
+constexpr std::string_view kPoints =
+    "time,RHip_x,RHip_y,RHip_z,RKnee_x,RKnee_y,RKnee_z,RAnkle_x,RAnkle_y,RAnkle_z,hat_x,hat_y,"
+    "hat_z\n"
+    "0.00,0,0.9,0,0,0.5,0,0,0.1,0,0,1.7,0\n"
+    "0.02,0,0.9,0,,,,0,0.1,0.1,0.1,1.7,0\n"
+    "0.04,0,0.9,0,0,0.5,0,0,0.1,0.2,0.2,1.7,nan\n";
+
+class StickPoints : public Stick {
+ protected:
+    void SetUp() override {
+        Stick::SetUp();
+        ASSERT_TRUE(write_file(folder_ / "p.csv", std::string(kPoints)));
+    }
+};
+
+TEST_F(StickPoints, are_joined_as_a_file_says_and_what_it_names_wrongly_is_said) {
+    ASSERT_TRUE(write_file(folder_ / "good.txt", "RHip RKnee\nRKnee RAnkle # shin\n"));
+    ASSERT_TRUE(write_file(folder_ / "partly.txt", "RHip RKnee\nRKne RAnkle\n"));
+    const auto edges_of = [&](const char* file, int exit_code) {
+        const ProcessResult result =
+            run({"stick", path("p.csv"), "--edges", path(file), "--scale", "1", "--json"});
+        EXPECT_EQ(result.exit_code, exit_code) << result.err;
+        const auto document = nlohmann::json::parse(result.out);
+        EXPECT_EQ(document.at("points").at(1).at("seen"), 2);
+        return std::pair{document.at("edges").size(), result.err};
+    };
+    EXPECT_EQ(edges_of("good.txt", 0).first, 2U);
+    const auto [edges, said] = edges_of("partly.txt", 3);
+    EXPECT_EQ(edges, 1U);
+    EXPECT_NE(said.find("partly.txt: point \"RKne\" is unknown; did you mean \"RKnee\"?"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("partly.txt: 1 of 2 edges are left out"), std::string::npos) << said;
+}
+
+TEST_F(StickPoints, have_edges_of_known_sets_and_guessed_ones) {
+    for (const auto& [edges, count] : {std::pair{"body25", 2U}, std::pair{"auto", 1U}}) {
+        const ProcessResult result =
+            run({"stick", path("p.csv"), "--edges", edges, "--scale", "1", "--json"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_GE(nlohmann::json::parse(result.out).at("edges").size(), count) << edges;
+    }
+    const ProcessResult drawn = run(
+        {"stick", path("p.csv"), "--edges", "body25", "--scale", "1", "-o", path("points.png")});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_EQ(picture("points.png").substr(1, 3), "PNG");
+}
+
+TEST_F(StickPoints, refuse_edges_that_are_none_in_one_line) {
+    ASSERT_TRUE(write_file(folder_ / "one.txt", "RHip\n"));
+    ASSERT_TRUE(write_file(folder_ / "empty.txt", ""));
+    ASSERT_TRUE(write_file(folder_ / "binary.txt", std::string("\x7f\x45\x4c\x46\0\1\2", 7)));
+    ASSERT_TRUE(write_file(folder_ / "huge.txt", std::string(std::size_t{2} << 20U, 'a')));
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {path("none.txt"), "none.txt"},
+        {path("one.txt"), "one.txt: line 1: 1 name, must be two"},
+        {path("empty.txt"), "empty.txt: has no edges"},
+        {path("binary.txt"), "binary.txt"},
+        {path("huge.txt"), "huge.txt"},
+        {"coco25", "coco25"},
+    };
+    for (const auto& [edges, part] : cases) {
+        const ProcessResult result = run(
+            {"stick", path("p.csv"), "--edges", edges, "--scale", "1", "-o", path("never.png")});
+        EXPECT_EQ(result.exit_code, 1) << edges;
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "never.png"));
+}
+
+TEST_F(StickPoints, of_two_motions_are_compared_by_name) {
+    std::string moved(kPoints);
+    // The ankle 0.3 m aside in the last frame.
+    moved.replace(moved.rfind("0,0.1,0.2"), 9, "0.3,0.1,0.2");
+    ASSERT_TRUE(write_file(folder_ / "q.csv", moved));
+    const std::vector<std::string> both = {"stick", path("p.csv"), path("q.csv"), "--scale", "1"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = both;
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    const ProcessResult json = with({"--json"});
+    ASSERT_EQ(json.exit_code, 0) << json.err;
+    const auto document = nlohmann::json::parse(json.out);
+    EXPECT_EQ(document.at("worst_point"), "RAnkle");
+    EXPECT_EQ(document.at("worst_frame"), 2);
+    // Of ten places that both see one is 0.3 m off.
+    EXPECT_NEAR(document.at("rms").get<double>(), std::sqrt(0.09 / 10.0), 1e-9);
+    EXPECT_TRUE(document.at("points").at(1).at("distance").at(1).is_null());
+    for (const char* const arrangement : {"--names", "--side-by-side"}) {
+        const ProcessResult drawn = with({arrangement, "-o", path("two.png")});
+        ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+        EXPECT_NE(drawn.out.find("worst point RAnkle: 173.2 mm; worst frame 2"), std::string::npos)
+            << drawn.out;
+        EXPECT_EQ(picture("two.png").substr(1, 3), "PNG");
+    }
+    const ProcessResult hips = with({"--align", "hips", "--json"});
+    EXPECT_EQ(hips.exit_code, 1);
+    EXPECT_TRUE(is_one_error_line(hips.err)) << hips.err;
+    EXPECT_NE(hips.err.find("has no hips to align by"), std::string::npos) << hips.err;
+    EXPECT_EQ(with({"--align", "rigid", "--json"}).exit_code, 0);
+    // Another skeleton's joints have other names.
+    const ProcessResult strangers =
+        run({"stick", path("p.csv"), clip("odd/plain.bvh"), "--scale", "1", "--json"});
+    EXPECT_EQ(strangers.exit_code, 1);
+    EXPECT_NE(strangers.err.find("the two motions have no point of the same name"),
+              std::string::npos)
+        << strangers.err;
+}
+
+TEST_F(StickPoints, and_clips_are_filmed) {
+    const std::vector<std::string> film = {"stick",
+                                           path("p.csv"),
+                                           "--scale",
+                                           "1",
+                                           "--size",
+                                           "320x240",
+                                           "--names",
+                                           "--trails",
+                                           "--quality",
+                                           "fast",
+                                           "-o"};
+    const auto filmed = [&](const std::string& output, const std::vector<std::string>& more) {
+        std::vector<std::string> words = film;
+        words.push_back(path(output));
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    const ProcessResult folder = filmed("frames", {});
+    ASSERT_EQ(folder.exit_code, 0) << folder.err;
+    EXPECT_EQ(folder.out, path("frames") + ": 3 pictures, 50 a second\n");
+    EXPECT_EQ(picture("frames/000003.png").substr(1, 3), "PNG");
+    EXPECT_FALSE(picture("frames/000001.png") == picture("frames/000003.png"));
+    ASSERT_EQ(filmed("back", {"--rate=-1"}).exit_code, 0);
+    EXPECT_FALSE(picture("back/000001.png").empty());
+    EXPECT_EQ(filmed("x.avi", {}).exit_code, 0);
+    EXPECT_EQ(picture("x.avi").substr(0, 4), "RIFF");
 }
 
 using Sheet = Stick;

@@ -34,6 +34,7 @@ std::span<const Reader> readers() {
         {"c3d", read_c3d, {}, 300, Content::bytes},
         {"trc", read_trc, {}, 300},
         {"points_csv", read_points_csv, {}, 300},
+        {"edges", read_edges, {}, 2000},
         {"midi", read_midi, {}, 2000, Content::bytes},
         {"sound", read_sound, {}, 60, Content::bytes},
         {"film", read_film, {}, 60, Content::bytes},

@@ -54,6 +54,7 @@ bool read_smpl_json(std::string_view text);     ///< the same
 bool read_c3d(std::string_view bytes);          ///< points, and draws them
 bool read_trc(std::string_view text);           ///< the same
 bool read_points_csv(std::string_view text);    ///< the same
+bool read_edges(std::string_view text);         ///< of points; and looks for them
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
 bool read_film(std::string_view bytes);         ///< of any format, its first pictures

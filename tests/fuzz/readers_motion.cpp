@@ -16,6 +16,9 @@
 #include "motion/skeleton/formats/smpl.hpp"
 #include "motion/skeleton/humanoid_mapping.hpp"
 #include "motion/skeleton/motion_clip.hpp"
+#include "motion/skeleton/points/guessed_edges.hpp"
+#include "motion/skeleton/points/joint_points.hpp"
+#include "motion/skeleton/points/point_edges.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "render/scene/clip_figure.hpp"
@@ -120,7 +123,9 @@ void must_be_sound(const motion::PointClip& clip) {
     for (const std::string& warning : clip.warnings) {
         must_be_one_line(warning);
     }
-    const auto figures = render::PointFigures::create(clip, render::guess_point_frame(clip).frame);
+    const render::PointFrame frame = render::guess_point_frame(clip).frame;
+    const auto figures = render::PointFigures::create(
+        {motion::world_points(clip, frame.metres_per_unit, frame.up, motion::guess_edges(clip))});
     must(figures.has_value());
     for (const std::size_t frame : {std::size_t{0}, clip.frame_count - 1}) {
         for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {
@@ -196,6 +201,22 @@ bool read_joint_map_file(std::string_view text) {
     clip.labels = std::move(*labels);
     if (const auto search = motion::search_joints(clip); !search) {
         must_be_one_line(search.error().message);
+    }
+    return true;
+}
+
+bool read_edges(std::string_view text) {
+    const auto edges = motion::parse_edges(text, "x.txt");
+    if (!edges) {
+        must_be_one_line(edges.error().message);
+        return false;
+    }
+    const std::vector<std::string> points = {"RHip", "RKnee", "a b", "RAnkle"};
+    const motion::FoundEdges found = motion::find_edges(*edges, points);
+    must(found.edges.size() + found.left_out <= edges->size());
+    must(found.unknown.empty() == (found.left_out == 0));
+    for (const motion::PointEdge& edge : found.edges) {
+        must(edge.from < edge.to && edge.to < points.size());
     }
     return true;
 }

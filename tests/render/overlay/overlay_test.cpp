@@ -233,6 +233,55 @@ TEST_F(OverlayTest, says_where_its_controls_are) {
     EXPECT_EQ(hidden.at(48.0F, 658.0F), std::nullopt);
 }
 
+TEST_F(OverlayTest, the_bar_of_a_clip_can_be_clicked) {
+    auto target = OffscreenTarget::create({.width = 1280, .height = 720});
+    ASSERT_TRUE(target);
+    OverlayState state;
+    const std::vector<float> curve(101, 0.5F);
+    OverlayTransport transport;
+    transport.frame = 50;
+    transport.frame_count = 101;
+    transport.curve = curve;
+    transport.mark = 25;
+    transport.mark_name = "worst";
+    state.transport = transport;
+    // It stays where the cards are hidden.
+    const OverlayControls controls = overlay_->draw(state, OverlayView::hidden, target->frame());
+    const auto middle_of = [](const OverlayControls::Area& area) {
+        return std::pair{(area.left + area.right) / 2.0F, (area.top + area.bottom) / 2.0F};
+    };
+    for (const auto& [area, control] : {std::pair{controls.play_sign, OverlayControl::play_sign},
+                                        std::pair{controls.position, OverlayControl::position},
+                                        std::pair{controls.mark, OverlayControl::mark},
+                                        std::pair{controls.help, OverlayControl::help}}) {
+        const auto [x, y] = middle_of(area);
+        EXPECT_EQ(controls.at(x, y), control);
+    }
+    EXPECT_EQ(controls.share_at(controls.to), 1.0);
+    EXPECT_EQ(controls.at(640.0F, 300.0F), std::nullopt);
+    state.transport->mark.reset();
+    const OverlayControls plain = overlay_->draw(state, OverlayView::hidden, target->frame());
+    const auto [x, y] = middle_of(controls.mark);
+    EXPECT_EQ(plain.at(x, y), std::nullopt);
+}
+
+TEST_F(OverlayTest, names_that_would_cover_each_other_are_left_out) {
+    OverlayState state;
+    const std::vector<OverlayLabel> one = {{200.0F, 200.0F, "knee"}};
+    state.labels = one;
+    const Pixels alone = draw(state, OverlayView::hidden);
+    const std::vector<OverlayLabel> two = {{200.0F, 200.0F, "knee"}, {203.0F, 201.0F, "ankle"}};
+    state.labels = two;
+    EXPECT_EQ(draw(state, OverlayView::hidden), alone);
+    const std::vector<OverlayLabel> apart = {{200.0F, 200.0F, "knee"}, {203.0F, 240.0F, "ankle"}};
+    state.labels = apart;
+    EXPECT_NE(draw(state, OverlayView::hidden), alone);
+    const std::vector<OverlayLine> lines = {{10.0F, 10.0F, 90.0F, 90.0F, 0xFFFFFF, 1.0F}};
+    state.labels = {};
+    state.lines = lines;
+    EXPECT_GT(draw(state, OverlayView::hidden).drawn(0.0, 0.0, 0.1, 0.15), 0.0);
+}
+
 TEST_F(OverlayTest, a_beat_is_brightest_when_it_sounds) {
     const auto light = [&](double bar_position) {
         OverlayState state = locked_state();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace raks::render::point_figure_test {
 namespace {
@@ -26,6 +28,13 @@ motion::PointClip standing() {
                       unseen,
                       {1400.0, 0.0, 500.0}};
     return clip;
+}
+
+Expected<PointFigures> figures_of(const motion::PointClip& clip,
+                                  std::vector<motion::PointEdge> edges = {}) {
+    const PointFrame frame = guess_point_frame(clip).frame;
+    return PointFigures::create(
+        {motion::world_points(clip, frame.metres_per_unit, frame.up, std::move(edges))});
 }
 
 struct Span {
@@ -57,7 +66,7 @@ TEST(PointFigures, what_a_file_does_not_say_is_guessed_from_the_points) {
 
 TEST(PointFigures, stand_upright_on_the_floor_in_the_middle_of_their_way) {
     const motion::PointClip clip = standing();
-    const auto figures = PointFigures::create(clip, guess_point_frame(clip).frame);
+    const auto figures = figures_of(clip);
     ASSERT_TRUE(figures) << figures.error().message;
     EXPECT_NEAR(figures->size(), 1.8F / 1.714F, 1e-3F);
     const ClipFigure first = figures->at(0);
@@ -70,16 +79,65 @@ TEST(PointFigures, stand_upright_on_the_floor_in_the_middle_of_their_way) {
     EXPECT_EQ(3 * figures->at(1).shape.vertices.size(), 2 * first.shape.vertices.size());
 }
 
+TEST(PointFigures, are_joined_where_both_ends_are_seen) {
+    const motion::PointClip clip = standing();
+    const auto alone = figures_of(clip);
+    const auto joined = figures_of(clip, {{0, 1}, {1, 2}});
+    ASSERT_TRUE(alone && joined);
+    const auto sticks = [&](std::size_t frame) {
+        return joined->at(frame).shape.vertices.size() - alone->at(frame).shape.vertices.size();
+    };
+    EXPECT_GT(sticks(0), 0U);
+    EXPECT_EQ(sticks(1), 0U) << "the knee is not seen";
+    const std::vector<FigurePoint> points = joined->points(1);
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(points[2].name, "foot");
+    EXPECT_TRUE(std::isnan(points[1].place.x));
+    EXPECT_NEAR(points[0].place.y, 1.8F, 1e-4F);
+}
+
+TEST(PointFigures, two_motions_lie_over_each_other_or_side_by_side) {
+    const PointFrame frame = guess_point_frame(standing()).frame;
+    const auto two = [&](Arrangement arrangement) {
+        const auto points = motion::world_points(standing(), frame.metres_per_unit, frame.up);
+        return PointFigures::create({points, points}, arrangement);
+    };
+    const auto over = two(Arrangement::overlaid);
+    const auto beside = two(Arrangement::side_by_side);
+    ASSERT_TRUE(over && beside);
+    const auto points = over->points(0);
+    EXPECT_EQ(points[0].place, points[3].place);
+    EXPECT_NE(points[0].part, points[3].part);
+    EXPECT_LT(beside->points(0)[0].place.x, beside->points(0)[3].place.x);
+}
+
+TEST(PointFigures, of_two_motions_with_very_many_edges_fit_one_mesh) {
+    motion::PointClip most;
+    most.frame_count = 1;
+    most.frames_per_second = 1.0;
+    std::vector<motion::PointEdge> edges;
+    for (std::size_t i = 0; i < 1000; ++i) {
+        most.names.push_back(std::to_string(i));
+        most.positions.emplace_back(0.01 * static_cast<double>(i), 0.1, 0.0);
+        for (std::size_t k = i + 1; k < std::min<std::size_t>(i + 11, 1000); ++k) {
+            edges.push_back({i, k});
+        }
+    }
+    const auto points = motion::world_points(most, 1.0, {0.0, 1.0, 0.0}, edges);
+    const auto figures = PointFigures::create({points, points});
+    ASSERT_TRUE(figures);
+    EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
+}
+
 TEST(PointFigures, that_cannot_be_drawn_are_refused) {
     motion::PointClip many = standing();
     many.names.resize(1001);
-    EXPECT_EQ(PointFigures::create(many, {}).error().message,
-              "has 1001 points; at most 1000 can be drawn");
-    EXPECT_FALSE(PointFigures::create(motion::PointClip{}, {}));
+    many.positions.resize(2002);
+    EXPECT_EQ(figures_of(many).error().message, "has 1001 points; at most 1000 can be drawn");
+    EXPECT_FALSE(figures_of(motion::PointClip{}));
     motion::PointClip dark = standing();
     dark.positions.assign(6, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
-    EXPECT_EQ(PointFigures::create(dark, {}).error().message,
-              "has no frame in which a point is seen");
+    EXPECT_EQ(figures_of(dark).error().message, "has no frame in which a point is seen");
 }
 
 TEST(PointFigures, of_the_most_points_fit_one_mesh) {
@@ -89,7 +147,7 @@ TEST(PointFigures, of_the_most_points_fit_one_mesh) {
     for (int i = 0; i < 1000; ++i) {
         most.positions.emplace_back(0.0, 0.002 * i, 0.0);
     }
-    const auto figures = PointFigures::create(most, {});
+    const auto figures = PointFigures::create({motion::world_points(most, 1.0, {0.0, 1.0, 0.0})});
     ASSERT_TRUE(figures);
     EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
 }
@@ -98,7 +156,7 @@ TEST(Enclosing, goes_back_until_all_of_a_figure_is_in_the_picture) {
     motion::PointClip clip = standing();
     // A foot a metre and a half aside, as in a long lunge.
     clip.positions[2].x += 1500.0;
-    const auto figures = PointFigures::create(clip, guess_point_frame(clip).frame);
+    const auto figures = figures_of(clip);
     ASSERT_TRUE(figures);
     const ClipFigure figure = figures->at(0);
     const Camera near;
