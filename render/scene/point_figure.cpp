@@ -188,8 +188,9 @@ Expected<void> PointFigures::stand_on_floor() {
 
 // Each in the middle of its own way, as far apart as the wider of them is in most frames.
 void PointFigures::stand_side_by_side() {
-    constexpr double kGap = 1.25;  // against the width
-    double width = 0.0;
+    constexpr double kGap = 1.25;       // against the width
+    constexpr double kNarrowest = 0.7;  // metres, of a body of usual size that stands edge on
+    double width = kNarrowest * static_cast<double>(size_);
     for (const Part& part : parts_) {
         width = std::max(width, usual_extent(part.points.clip).x);
     }
@@ -282,7 +283,23 @@ ClipFigure PointFigures::at(std::size_t frame) const {
     }
     // The camera follows their middle; where none is seen it stays at the stage's.
     figure.landmarks.rotations.fill(motion::kNoRotation);
-    figure.landmarks.positions.fill(glm::vec3(count > 0.0 ? sum / count : glm::dvec3(0.0)));
+    const glm::vec3 middle(count > 0.0 ? sum / count : glm::dvec3(0.0));
+    figure.landmarks.positions.fill(middle);
+    // Their shadow is that of feet under the middle, or where the first body has its joints.
+    for (const motion::Bone foot : {motion::Bone::left_foot,
+                                    motion::Bone::right_foot,
+                                    motion::Bone::left_toes,
+                                    motion::Bone::right_toes}) {
+        figure.landmarks.positions[motion::index_of(foot)] = {middle.x, 0.0F, middle.z};
+    }
+    const Part& first = parts_.front();
+    for (std::size_t point = 0; point < first.points.bones.size(); ++point) {
+        const auto bone = first.points.bones[point];
+        const glm::dvec3& place = first.points.clip.position(frame, point);
+        if (bone && *bone != motion::Bone::hips && is_seen(place)) {
+            figure.landmarks.positions[motion::index_of(*bone)] = glm::vec3(place - first.origin);
+        }
+    }
     return figure;
 }
 

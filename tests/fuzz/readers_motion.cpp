@@ -123,9 +123,9 @@ void must_be_sound(const motion::PointClip& clip) {
     for (const std::string& warning : clip.warnings) {
         must_be_one_line(warning);
     }
-    const render::PointFrame frame = render::guess_point_frame(clip).frame;
+    const render::PointFrame lie = render::guess_point_frame(clip).frame;
     const auto figures = render::PointFigures::create(
-        {motion::world_points(clip, frame.metres_per_unit, frame.up, motion::guess_edges(clip))});
+        {motion::world_points(clip, lie.metres_per_unit, lie.up, motion::guess_edges(clip))});
     must(figures.has_value());
     for (const std::size_t frame : {std::size_t{0}, clip.frame_count - 1}) {
         for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {

@@ -26,7 +26,7 @@ MotionClip moving_body() {
     };
     const std::size_t hips = add(0, {0.0, 0.95, 0.0});
     const std::size_t chest = add(hips, {0.0, 0.35, 0.0});
-    add(chest, {0.0, 0.3, 0.0});
+    add(chest, {0.0, 0.25, 0.0});
     for (const double side : {-1.0, 1.0}) {
         std::size_t arm = add(chest, {0.22 * side, 0.1, 0.0});
         arm = add(arm, {0.28 * side, 0.0, 0.0});
