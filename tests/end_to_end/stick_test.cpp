@@ -288,7 +288,8 @@ TEST_F(StickPoints, of_two_motions_are_compared_by_name) {
     // The ankle 0.3 m aside in the last frame.
     moved.replace(moved.rfind("0,0.1,0.2"), 9, "0.3,0.1,0.2");
     ASSERT_TRUE(write_file(folder_ / "q.csv", moved));
-    const std::vector<std::string> both = {"stick", path("p.csv"), path("q.csv"), "--scale", "1"};
+    const std::vector<std::string> both = {
+        "stick", path("p.csv"), path("q.csv"), "--scale", "1", "--up", "y"};
     const auto with = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words = both;
         words.insert(words.end(), more.begin(), more.end());
