@@ -90,20 +90,21 @@ render::Camera portrait_camera(const engine::AvatarModel& figure, const render::
         return camera;
     }
     const float scale = figure.options.scale;
-    float low = box->low.y * scale;
-    float high = box->high.y * scale;
+    float low = box->low.y * scale - avatar.soles;
+    float high = box->high.y * scale - avatar.soles;
     float half_width = 0.0F;
-    if (render::missing_bones(figure.model.character.humanoid).empty()) {
+    float half_depth = 0.0F;  // what is deep must not come too near
+    if (figure.model.character.humanoid.nodes[motion::index_of(Bone::head)] >= 0) {
         const float head =
             motion::world_pose(avatar.skeleton, pose_at_ease(avatar)).position(Bone::head).y;
-        high -= avatar.soles;
         // As much below the head's joint as a chest is long.
         low = head - 0.27F * render::size_of(avatar);
     } else {
         half_width = scale * std::max(box->high.x, -box->low.x);
+        half_depth = scale * std::max(box->high.z, 0.0F);
     }
     camera.target = {0.0F, (low + high) / 2.0F, 0.0F};
-    camera.distance = distance_for(camera, std::max((high - low) / 2.0F, half_width));
+    camera.distance = distance_for(camera, std::max((high - low) / 2.0F, half_width)) + half_depth;
     return camera;
 }
 
