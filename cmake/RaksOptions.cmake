@@ -14,6 +14,7 @@ option(RAKS_WERROR "Warnings are errors" OFF)
 option(RAKS_UNITY "Compile several sources as one" OFF)
 option(RAKS_FUZZ "Build the fuzzers (clang)" OFF)
 option(RAKS_CAPTURE "Build what calibrates cameras (OpenCV, Ceres)" ON)
+option(RAKS_IMPORT "Build what reads FBX, Collada, OBJ and Draco (assimp, draco)" ON)
 option(RAKS_COVERAGE "Instrument for gcov" OFF)
 set(RAKS_SANITIZE "" CACHE STRING "Value of -fsanitize=, empty for none")
 

@@ -91,6 +91,19 @@ struct AvatarPoseArguments {
 /// or not a figure's, a time that it does not have, the output's ending.
 [[nodiscard]] ExitCode avatar_pose(const AvatarPoseArguments& arguments);
 
+/// Arguments of `raks avatar export`.
+struct AvatarExportArguments {
+    std::string model;                 ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;     ///< of its file
+    std::string title;                 ///< empty: the file's own, else its name
+    std::vector<std::string> authors;  ///< empty: the file's own
+    std::string licence;               ///< in words, or its address; empty: the file's own
+    Path output;                       ///< .vrm or .glb
+};
+/// Writes a model as VRM 1.0 or as binary glTF. Errors: no model; as VRM: no figure, neither author
+/// nor licence in it or given; the output's ending.
+[[nodiscard]] ExitCode avatar_export(const AvatarExportArguments& arguments);
+
 /// Arguments of `raks calibrate`.
 struct CalibrateArguments {
     engine::Settings settings;  ///< of the files and the options

@@ -19,7 +19,8 @@ void add_formation_option(CLI::App& app, engine::Settings& settings) {
 void add_avatar_options(CLI::App& app, engine::Settings& settings) {
     app.add_option("--avatar",
                    settings.avatar,
-                   "mannequin, a file (.vrm, .glb, .gltf, .3ds), or one of raks avatar list");
+                   "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or one of raks "
+                   "avatar list");
     app.add_option(
         "--height", settings.avatar_height, "metres that the avatar is tall; 0: its own");
     app.add_option(

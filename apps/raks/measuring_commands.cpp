@@ -64,6 +64,18 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
         ->required();
 }
 
+void add_avatar_export(RaksCommands& table, CLI::App& avatar) {
+    auto [app, a] = table.add(avatar, "export", "write a model as VRM 1.0 or GLB", avatar_export);
+    app->add_option("output", a->output, "X.vrm or X.glb")->required();
+    app->add_option("--from", a->model, "file, or name of one of `raks avatar list`")->required();
+    app->add_option("--labels", a->options.labels, "file that says which nodes are its bones");
+    add_height_option(*app, a->options);
+    app->add_option("--title", a->title, "what it is called; else as its file has it");
+    app->add_option("--author", a->authors, "whose work it is; one each time")
+        ->allow_extra_args(false);
+    app->add_option("--licence", a->licence, "its licence, in words or by its address");
+}
+
 // `avatar` itself does nothing: one of its commands must follow.
 void add_avatar(RaksCommands& table) {
     CLI::App* avatar = table.app().add_subcommand("avatar", "list avatars, look into their files");
@@ -78,6 +90,7 @@ void add_avatar(RaksCommands& table) {
     show->add_option("--thumbnail", s->thumbnail, "X.png: a picture of it");
     show->add_flag("--json", s->as_json, "one JSON document");
     add_avatar_pose(table, *avatar);
+    add_avatar_export(table, *avatar);
 }
 
 void add_calibrate(RaksCommands& table) {

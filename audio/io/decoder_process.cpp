@@ -12,7 +12,7 @@
 
 #include "audio/io/decoder_fork_server.hpp"
 #include "audio/io/decoder_spawn.hpp"
-#include "audio/io/descriptor.hpp"
+#include "base/descriptor.hpp"
 
 namespace raks::audio {
 namespace {

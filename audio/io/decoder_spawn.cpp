@@ -1,126 +1,20 @@
 #include "audio/io/decoder_spawn.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <csignal>
-#include <cstring>
-#include <system_error>
-#include <vector>
-
 #include "audio/io/decode_protocol.hpp"
 
 namespace raks::audio {
-namespace {
-
-constexpr int kFirstFree = 10;  // above the descriptors that the child gets
-
-// Signals as a fresh program has them, and a process group of its own: what the terminal sends to
-// raks (Ctrl+C) is for raks alone.
-void set_attributes(posix_spawnattr_t& attributes) {
-    sigset_t all;
-    sigset_t none;
-    sigfillset(&all);
-    sigemptyset(&none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-}
-
-// Copies under numbers that the child's own do not overwrite; closed with this.
-class HighCopies {
- public:
-    explicit HighCopies(std::span<const int> descriptors) {
-        for (const int descriptor : descriptors) {
-            copies_.push_back(::fcntl(descriptor, F_DUPFD_CLOEXEC, kFirstFree));
-            error_ = copies_.back() < 0 ? errno : error_;
-        }
-    }
-    ~HighCopies() {
-        for (const int copy : copies_) {
-            if (copy >= 0) {
-                ::close(copy);
-            }
-        }
-    }
-    HighCopies(const HighCopies&) = delete;
-    HighCopies& operator=(const HighCopies&) = delete;
-
-    [[nodiscard]] int error() const noexcept { return error_; }
-    [[nodiscard]] const std::vector<int>& numbers() const noexcept { return copies_; }
-
- private:
-    std::vector<int> copies_;
-    int error_ = 0;
-};
-
-// Nothing but what it is given; what libraries print is lost.
-void set_descriptors(posix_spawn_file_actions_t& actions, const std::vector<int>& given) {
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-#ifndef RAKS_DECODES_UNCONFINED
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-#endif
-    int number = kDecodeSocket;
-    for (const int descriptor : given) {
-        posix_spawn_file_actions_adddup2(&actions, descriptor, number++);
-    }
-    posix_spawn_file_actions_addclosefrom_np(&actions, number);
-}
-
-}  // namespace
 
 Expected<pid_t> spawn_decoder(const DecoderStart& start) {
-    std::vector<std::string> words{start.program.string()};
+    static_assert(kDecodeSocket == kFirstGiven);
+    ChildStart child{.program = start.program, .arguments = {}, .descriptors = start.descriptors};
     if (!start.mode.empty()) {
-        words.push_back(start.mode);
+        child.arguments.push_back(start.mode);
     }
 #ifdef RAKS_DECODES_UNCONFINED
-    words.emplace_back("--no-sandbox");
+    child.arguments.emplace_back("--no-sandbox");
+    child.is_heard = true;
 #endif
-    std::vector<char*> arguments;
-    for (std::string& word : words) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
-    const HighCopies copies(start.descriptors);
-    pid_t pid = -1;
-    int error = copies.error();
-    if (error == 0) {
-        posix_spawnattr_t attributes;
-        posix_spawn_file_actions_t actions;
-        posix_spawnattr_init(&attributes);
-        posix_spawn_file_actions_init(&actions);
-        set_attributes(attributes);
-        set_descriptors(actions, copies.numbers());
-        error = posix_spawn(
-            &pid, words.front().c_str(), &actions, &attributes, arguments.data(), environ);
-        posix_spawn_file_actions_destroy(&actions);
-        posix_spawnattr_destroy(&attributes);
-    }
-    if (error != 0) {
-        return fail("raks-decode cannot be started: " + std::generic_category().message(error));
-    }
-    return pid;
-}
-
-std::string end_child(pid_t pid) {
-    int status = 0;
-    pid_t ended = 0;
-    ::kill(pid, SIGKILL);  // one that is dead stays as it died
-    do {
-        ended = ::waitpid(pid, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    if (ended > 0 && WIFSIGNALED(status)) {
-        const char* const name = ::sigabbrev_np(WTERMSIG(status));
-        return name == nullptr ? "killed by a signal" : std::string("killed by SIG") + name;
-    }
-    return "exit code " + std::to_string(WEXITSTATUS(status));
+    return spawn_child(child);
 }
 
 std::string why_ended(Waited why, const std::string& how) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/child_process.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
@@ -19,14 +20,9 @@ struct DecoderStart {
     std::string mode{};  ///< its first argument, such as "--pictures"; empty: none
 };
 
-/// Starts raks-decode as a child of this process, with signals as a fresh program has them and a
-/// process group of its own; what its libraries print is lost. Errors: the system's.
+/// Starts raks-decode as spawn_child does. Errors: the system's.
 /// Threads: any. Real-time: no.
 [[nodiscard]] Expected<pid_t> spawn_decoder(const DecoderStart& start);
-
-/// Kills a child and waits for its end; says how it ended, which may have been before: "killed by
-/// SIGSEGV" or "exit code 1". Threads: any. Real-time: no.
-std::string end_child(pid_t pid);
 
 /// What came of waiting for a child.
 enum class Waited : std::uint8_t {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/expected.hpp"
@@ -33,6 +34,9 @@ class GlbDocument {
 
     /// A document with an asset and nothing else.
     GlbDocument();
+    /// One that goes on from a document, with the bytes of its only buffer.
+    GlbDocument(Json json, std::string binary)
+        : json_(std::move(json)), binary_(std::move(binary)) {}
 
     /// The document, to which writers add their nodes, meshes and so on. Accessors, bufferViews and
     /// buffers are this class's own.
@@ -59,6 +63,9 @@ class GlbDocument {
                                 bool has_bounds);
     /// Appends bytes as a view of their own, such as an image; says its index.
     std::size_t add_view(std::span<const std::byte> bytes);
+
+    /// The bytes of the buffer so far.
+    [[nodiscard]] std::string_view binary() const noexcept { return binary_; }
 
     /// The container around both. Errors: more than 4 GiB.
     [[nodiscard]] Expected<std::string> bytes();

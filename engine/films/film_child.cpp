@@ -20,7 +20,6 @@ namespace raks::engine {
 namespace {
 
 using audio::DecodeKind;
-using audio::Descriptor;
 using audio::Passed;
 using audio::Waited;
 
@@ -79,7 +78,7 @@ Expected<std::unique_ptr<FilmChild>> FilmChild::start(std::function<bool()> is_s
 
 FilmChild::~FilmChild() {
     if (pid_ >= 0) {
-        audio::end_child(pid_);
+        end_child(pid_);
     }
 }
 
@@ -128,7 +127,7 @@ Waited FilmChild::read_pixels(std::span<std::uint8_t> bytes) {
 
 // Ends the process; returns what happened, in words.
 std::string FilmChild::end(Waited why) {
-    const std::string how = audio::end_child(std::exchange(pid_, -1));
+    const std::string how = end_child(std::exchange(pid_, -1));
     has_film_ = false;
     return audio::why_ended(why, how);
 }

@@ -11,7 +11,7 @@
 
 #include "audio/io/decode_protocol.hpp"
 #include "audio/io/decoder_spawn.hpp"
-#include "audio/io/descriptor.hpp"
+#include "base/descriptor.hpp"
 #include "engine/films/film_reader.hpp"
 
 namespace raks::engine {
@@ -44,9 +44,9 @@ class FilmChild {
     [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(audio::Waited why);
 
     pid_t pid_ = -1;
-    audio::Descriptor socket_;
-    audio::Descriptor pictures_;
-    audio::Descriptor lifeline_;
+    Descriptor socket_;
+    Descriptor pictures_;
+    Descriptor lifeline_;
     std::function<bool()> is_stop_requested_;
     std::string name_;
     std::string warning_;

@@ -87,7 +87,8 @@ const std::array kKeys = std::to_array<Key>({
      &Settings::avatar,
      0,
      0,
-     "mannequin, a file (.vrm, .glb, .gltf, .3ds), or a name in the folder of avatars"},
+     "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or a name in the folder of "
+     "avatars"},
     {"picture", "avatar_height", &Settings::avatar_height, 0, 10, "metres; 0: its own"},
     {"picture",
      "avatar_labels",

@@ -276,7 +276,8 @@ void WindowLoop::handle(const render::DropEvent& drop, const WindowContent& cont
             avatar_change_.ask(path);
             show("loading " + printable(std::filesystem::path(path).filename().string()));
         } else {
-            say(printable(path) + ": only models are taken here: .vrm, .glb, .gltf, .3ds");
+            say(printable(path) +
+                ": only models are taken here: .vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj");
         }
     }
 }

@@ -26,6 +26,9 @@ void add_animations(const Model& model, GlbDocument& glb);
 /// needs.
 [[nodiscard]] Json texture_info(const TextureUse& use, GlbDocument& glb);
 
+/// The same as a member of `json`; none: nothing.
+void put_texture(const TextureUse& use, const char* name, GlbDocument& glb, Json& json);
+
 /// The numbers of vectors, as the document takes them.
 template <typename Vector>
 [[nodiscard]] std::span<const float> floats_of(const std::vector<Vector>& values) {

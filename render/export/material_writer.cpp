@@ -85,12 +85,6 @@ void add_textures(const Model& model, const std::vector<int>& images, GlbDocumen
     }
 }
 
-void put_texture(const TextureUse& use, const char* name, GlbDocument& glb, Json& json) {
-    if (use.texture >= 0) {
-        json[name] = texture_info(use, glb);
-    }
-}
-
 Json surface_of(const ModelMaterial& material, GlbDocument& glb) {
     Json json = Json::object();
     if (material.base_colour != glm::vec4(1.0F)) {
@@ -149,6 +143,12 @@ Json material_json(const ModelMaterial& material, GlbDocument& glb) {
 
 }  // namespace
 
+void put_texture(const TextureUse& use, const char* name, GlbDocument& glb, Json& json) {
+    if (use.texture >= 0) {
+        json[name] = texture_info(use, glb);
+    }
+}
+
 Json texture_info(const TextureUse& use, GlbDocument& glb) {
     Json json = {{"index", use.texture}};
     if (use.uv_set != 0) {
@@ -158,8 +158,9 @@ Json texture_info(const TextureUse& use, GlbDocument& glb) {
         return json;
     }
     glb.use_extension("KHR_texture_transform");
-    json["extensions"]["KHR_texture_transform"] = {
-        {"offset", numbers_of(use.offset)}, {"rotation", use.rotation}, {"scale", numbers_of(use.scale)}};
+    json["extensions"]["KHR_texture_transform"] = {{"offset", numbers_of(use.offset)},
+                                                   {"rotation", use.rotation},
+                                                   {"scale", numbers_of(use.scale)}};
     return json;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "render/import/foreign_model.hpp"
 #include "render/import/gltf_reader.hpp"
 #include "render/import/tds_reader.hpp"
 
@@ -23,13 +24,42 @@ struct Format {
     Expected<Model> (*read)(std::span<const std::byte>, const SideFiles&);
 };
 
-constexpr std::array<Format, 5> kFormats = {{
-    {".glb", read_gltf},
-    {".gltf", read_gltf},
-    {".vrm", read_gltf},
+Expected<Model> read_any_gltf(std::span<const std::byte> bytes, const SideFiles& side) {
+    return uses_draco(bytes) ? read_foreign_model("draco", bytes, side) : read_gltf(bytes, side);
+}
+
+Expected<Model> read_fbx(std::span<const std::byte> bytes, const SideFiles& side) {
+    return read_foreign_model("fbx", bytes, side);
+}
+
+Expected<Model> read_collada(std::span<const std::byte> bytes, const SideFiles& side) {
+    return read_foreign_model("dae", bytes, side);
+}
+
+Expected<Model> read_obj(std::span<const std::byte> bytes, const SideFiles& side) {
+    return read_foreign_model("obj", bytes, side);
+}
+
+constexpr std::array<Format, 8> kFormats = {{
+    {".glb", read_any_gltf},
+    {".gltf", read_any_gltf},
+    {".vrm", read_any_gltf},
     {".vrma", read_gltf},
     {".3ds", read_tds},
+    {".fbx", read_fbx},
+    {".dae", read_collada},
+    {".obj", read_obj},
 }};
+
+/// ".glb, .gltf and .obj".
+std::string known_endings() {
+    std::string list;
+    for (std::size_t i = 0; i < kFormats.size(); ++i) {
+        list += i == 0 ? "" : i + 1 == kFormats.size() ? " and " : ", ";
+        list += kFormats[i].ending;
+    }
+    return list;
+}
 
 const Format* format_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -52,7 +82,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
                            const SideFiles& side) {
     const Format* const format = format_of(name);
     if (format == nullptr) {
-        return fail("no model that is read; .vrm, .glb, .gltf, .vrma and .3ds are");
+        return fail(fmt::format("no model that is read; {} are", known_endings()));
     }
     auto model = format->read(bytes, side);
     if (model) {
@@ -64,8 +94,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
 Expected<Model> load_model(const std::filesystem::path& path) {
     const std::string shown = printable(path.string());
     if (!is_model_name(path)) {
-        return fail(
-            fmt::format("{}: no model that is read; .vrm, .glb, .gltf, .vrma and .3ds are", shown));
+        return fail(fmt::format("{}: no model that is read; {} are", shown, known_endings()));
     }
     const auto file = read_file(path, kLargestFile);
     if (!file) {

@@ -95,7 +95,7 @@ struct AnimatedFace {
 
 struct Model {
     std::string name;    ///< of the file, for people
-    std::string format;  ///< "3DS v3"; empty: glTF and what is built on it
+    std::string format;  ///< "3DS v3", "FBX"; empty: glTF and what is built on it
     std::vector<ModelNode> nodes;
     std::vector<int> roots;  ///< nodes of the scene that is shown
     std::vector<ModelMesh> meshes;

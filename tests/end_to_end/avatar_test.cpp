@@ -68,13 +68,47 @@ TEST_F(Avatar, list_and_show_know_the_users_own) {
     EXPECT_EQ(run({"avatar", "show", "Anna.vrm"}).exit_code, 0);
 }
 
+TEST_F(Avatar, is_exported_as_vrm_once_it_is_known_whose_work_it_is) {
+    give("RiggedFigure.glb", "figure.glb");
+    const std::string output = path("x.vrm");
+    expect_one_line({"avatar", "export", output, "--from", "figure"}, 1, "give --author NAME");
+    expect_one_line({"avatar", "export", output, "--from", "figure", "--author", "Cesium"},
+                    1,
+                    "give --licence TEXT");
+    const ProcessResult written = run({"avatar",
+                                       "export",
+                                       output,
+                                       "--from",
+                                       "figure",
+                                       "--author",
+                                       "Cesium",
+                                       "--licence",
+                                       "CC-BY-4.0"});
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    const ProcessResult shown = run({"avatar", "show", output, "--json"});
+    ASSERT_EQ(shown.exit_code, 0) << shown.err;
+    const auto json = nlohmann::json::parse(shown.out);
+    EXPECT_EQ(json["format"], "VRM 1.0");
+    EXPECT_EQ(json["meta"]["title"], "figure");
+    EXPECT_EQ(json["meta"]["authors"], nlohmann::json({"Cesium"}));
+    EXPECT_EQ(run({"avatar", "export", path("x.glb"), "--from", "figure"}).exit_code, 0);
+    expect_one_line({"avatar", "export", path("x.3ds"), "--from", "figure"},
+                    1,
+                    "x.3ds: an avatar is exported as .vrm or .glb");
+}
+
 TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {
     give("smoke_spring.vrm", "Anna.vrm");
     expect_one_line({"avatar", "show", "Ana"}, 1, "no avatar \"Ana\": neither a file nor one of");
     ASSERT_TRUE(write_file(path("x.glb"), "glTF"));
     expect_one_line({"avatar", "show", path("x.glb")}, 1, "x.glb: cut within its head");
     ASSERT_TRUE(write_file(path("x.fbx"), "Kaydara"));
-    expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: no model that is read");
+    expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: no FBX");
+    ASSERT_TRUE(write_file(path("x.ply"), "ply"));
+    expect_one_line({"avatar", "show", path("x.ply")},
+                    1,
+                    "x.ply: no model that is read; .glb, .gltf, .vrm, .vrma, .3ds, .fbx, .dae and "
+                    ".obj are");
     expect_one_line({"avatar", "show", "mannequin"}, 1, "the mannequin is no file");
 }
 

@@ -51,6 +51,14 @@ TEST_F(Install, the_program_loads_no_decoder) {
     }
 }
 
+// A model of another format meets no reader of it there.
+TEST_F(Install, the_program_loads_no_reader_of_foreign_models) {
+    const std::string all = run_program({"ldd", RAKS_PROGRAM});
+    for (const char* library : {"libassimp", "libdraco"}) {
+        EXPECT_EQ(all.find(library), std::string::npos) << all;
+    }
+}
+
 // Calibrating cameras takes OpenCV and Ceres, with some 60 libraries of theirs; dancing does not.
 TEST_F(Install, the_program_loads_nothing_that_calibrates_cameras) {
     const std::string all = run_program({"ldd", RAKS_PROGRAM});

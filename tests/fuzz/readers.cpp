@@ -57,6 +57,9 @@ std::span<const Reader> readers() {
         {"flags", read_flags_file, {}, 2000},
         {"moves", read_moves_file, {}, 2000},
         {"edits", read_edits_file, {}, 2000},
+#ifdef RAKS_IMPORT_IS_BUILT
+        {"foreign_text", read_foreign_text, {}, 3000, Content::bytes},
+#endif
         {"model",
          read_model_file,
          {"tests/data/avatars/SimpleSkin.gltf", "tests/data/avatars/RiggedFigure.glb"},

@@ -67,7 +67,7 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
     if (begins(start, "PK\x03\x04") || begins(start, "PK\x05\x06")) {
         return MotionFormat::smpl_npz;
     }
-    if (begins(start, "glTF")) {
+    if (begins(start, "glTF") || begins(start, "Kaydara FBX Binary") || begins(start, "; FBX ")) {
         return MotionFormat::model;
     }
     const std::string_view text = text_of(start);
@@ -91,7 +91,7 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
 }
 
 std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) {
-    constexpr std::array<std::pair<std::string_view, MotionFormat>, 14> kEndings = {
+    constexpr std::array<std::pair<std::string_view, MotionFormat>, 16> kEndings = {
         {{".bvh", MotionFormat::bvh},
          {".amc", MotionFormat::amc},
          {".asf", MotionFormat::asf},
@@ -105,7 +105,9 @@ std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) 
          {".glb", MotionFormat::model},
          {".vrm", MotionFormat::model},
          {".vrma", MotionFormat::model},
-         {".3ds", MotionFormat::model}}};
+         {".3ds", MotionFormat::model},
+         {".fbx", MotionFormat::model},
+         {".dae", MotionFormat::model}}};
     const std::string ending = lower(name.extension().string());
     const auto* const found = std::find_if(
         kEndings.begin(), kEndings.end(), [&](const auto& each) { return each.first == ending; });
@@ -151,9 +153,6 @@ std::string refusal_of(std::string_view start) {
     if (begins(start, "\x93NUMPY")) {
         return "is one array alone, without a name; save it with numpy.savez(\"x.npz\", poses=..., "
                "trans=...)";
-    }
-    if (begins(start, "Kaydara FBX Binary") || begins(start, "; FBX ")) {
-        return "is FBX, which is not read; export it as BVH or glTF (in Blender: File, Export)";
     }
     if (begins(start, "PXR-USDC") || begins(start, "#usda")) {
         return "is USD, which is not read; export it as glTF";

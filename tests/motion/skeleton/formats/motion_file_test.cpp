@@ -72,10 +72,10 @@ TEST(MotionFile, what_is_no_motion_is_refused_with_what_to_do) {
         {std::string("\x80\x04\x95\0", 4), "pickles are programs"},
         {"(dp0\nVsmpl_poses\np1\n", "pickles are programs"},
         {"\x93NUMPY\x01", "numpy.savez"},
-        {"Kaydara FBX Binary  ", "export it as BVH or glTF"},
         {"version https://git-lfs.github.com/spec/v1\n", "git lfs pull"},
         {"<!DOCTYPE html><html>", "is a web page"},
         {"glTF\x02", "whose clips are not read here"},
+        {"Kaydara FBX Binary  ", "whose clips are not read here"},
     };
     for (const auto& row : rows) {
         const auto file = parse_motion(row.bytes, {"x.bin", ""}, {});

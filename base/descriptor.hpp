@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace raks::audio {
+namespace raks {
 
 /// A descriptor that is closed at the end of its scope.
 struct Descriptor {
@@ -25,4 +25,4 @@ struct Descriptor {
     }
 };
 
-}  // namespace raks::audio
+}  // namespace raks

@@ -1,0 +1,79 @@
+#include "engine/import/assimp_reader.hpp"
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "base/printable.hpp"
+#include "engine/import/foreign_text.hpp"
+#include "engine/import/memory_files.hpp"
+#include "engine/import/scene_parts.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/Importer.hpp>
+
+namespace raks::engine {
+namespace {
+
+constexpr std::array kNames = {"model.fbx", "model.dae", "model.obj"};  // by ForeignFormat
+
+// Triangles alone, with normals; indices that assimp itself checks.
+constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType |
+                            aiProcess_GenSmoothNormals | aiProcess_ValidateDataStructure;
+
+void configure(Assimp::Importer& importer) {
+    // Else each pivot of an FBX becomes nodes of its own.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
+    // Else a skeleton without a mesh gets one of pyramids.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+}
+
+std::string why(const Assimp::Importer& importer) {
+    const std::string line = printable(importer.GetErrorString(), 200);
+    return line.empty() ? "it cannot be read" : "it cannot be read: " + line;
+}
+
+bool has_skeleton(const render::Model& model) {
+    constexpr std::size_t kFewest = 3;  // a root, and a bone below another
+    return model.nodes.size() >= kFewest;
+}
+
+}  // namespace
+
+Expected<render::Model> read_with_assimp(ForeignFormat format,
+                                         const std::string& bytes,
+                                         const ImportWays& ways) {
+    auto text = mended_text(format, bytes);
+    if (!text) {
+        return fail(text.error());
+    }
+    const char* const name = kNames[static_cast<std::size_t>(format)];
+    Assimp::Importer importer;
+    configure(importer);
+    // The importer owns it.
+    importer.SetIOHandler(std::make_unique<MemoryFiles>(name, *text, ways).release());
+    const aiScene* const scene = importer.ReadFile(name, kSteps);
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        return fail(why(importer));
+    }
+    SceneImport import{*scene, ways};
+    if (auto done = import_nodes(import); !done) {
+        return fail(done.error());
+    }
+    import_materials(import);
+    if (auto done = import_meshes(import); !done) {
+        return fail(done.error());
+    }
+    import_clips(import);
+    if (import.model.meshes.empty() && !has_skeleton(import.model)) {
+        return fail("neither a mesh nor a skeleton is in it");
+    }
+    return std::move(import.model);
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,112 @@
+// What is done to foreign files before assimp sees them.
+#include "engine/import/foreign_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace raks::engine {
+namespace {
+
+std::string fault(ForeignFormat format, const std::string& bytes) {
+    const auto text = mended_text(format, bytes);
+    return text ? "" : text.error().message;
+}
+
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+TEST(ForeignObj, corners_that_are_there_are_taken) {
+    for (const char* face : {"f 1 2 3",
+                             "f -3 -2 -1\n",
+                             "f 1 2 \\\n3\r\n",
+                             "f 1/ 2/ 3/  # a comment",
+                             "o a\ng b\ns off\nusemtl c\nf 1 2 3"}) {
+        EXPECT_EQ(fault(ForeignFormat::obj, std::string(kTriangle) + face), "") << face;
+    }
+    EXPECT_EQ(fault(ForeignFormat::obj,
+                    std::string(kTriangle) + "vt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/-1/-1\n"),
+              "");
+}
+
+TEST(ForeignObj, what_is_not_there_is_told_with_its_line) {
+    const struct {
+        const char* line;
+        const char* message;
+    } rows[] = {
+        {"f 0 1 2", "line 4: \"0\" is no corner that is there"},
+        {"f 1 2 4", "line 4: \"4\" is no corner that is there"},
+        {"f 1 2 -4", "line 4: \"-4\" is no corner that is there"},
+        {"f 1/1 2/1 3/1", "line 4: \"1/1\" is no corner that is there"},
+        {"f 1 2 3x", "line 4: \"3x\" is no corner that is there"},
+        {"f 1 2 99999999999999999999", "is no corner that is there"},
+        {"v 0 nan 0", "line 4: a vertex that is no point"},
+        {"v 0 0", "line 4: a vertex that is no point"},
+    };
+    for (const auto& row : rows) {
+        EXPECT_NE(fault(ForeignFormat::obj, std::string(kTriangle) + row.line).find(row.message),
+                  std::string::npos)
+            << row.line;
+    }
+    EXPECT_EQ(fault(ForeignFormat::obj, "f 1 2 3"), "line 1: \"1\" is no corner that is there");
+    EXPECT_EQ(fault(ForeignFormat::obj, "hello"), "no OBJ: there are no vertices in it");
+    EXPECT_EQ(fault(ForeignFormat::obj, ""), "empty");
+}
+
+TEST(ForeignFbx, that_is_none_or_cut_is_told) {
+    const std::string head("Kaydara FBX Binary  \0\x1a\0", 23);
+    const std::string version("\xE8\x1C\0\0", 4);  // 7400
+    const std::string end(13, '\0');
+    EXPECT_EQ(fault(ForeignFormat::fbx, head + version + end), "");
+    EXPECT_EQ(fault(ForeignFormat::fbx, head), "cut within its head");
+    EXPECT_EQ(fault(ForeignFormat::fbx, head + version), "damaged: the record at byte 27 is cut");
+    EXPECT_EQ(fault(ForeignFormat::fbx, head + std::string("\x0F\x27\0\0", 4)),
+              "FBX version 9999: 6100 to 7900 are read");
+    // A record "a" that would end at its own start.
+    const std::string own_start(
+        "\x1B\0\0\0\0\0\0\0\0\0\0\0\x01"
+        "a",
+        14);
+    EXPECT_NE(fault(ForeignFormat::fbx, head + version + own_start + end).find("within the one"),
+              std::string::npos);
+    EXPECT_EQ(fault(ForeignFormat::fbx, "hello"), "no FBX");
+    EXPECT_EQ(fault(ForeignFormat::fbx, "; FBX 7.4\nFBXHeaderExtension: {\n"),
+              "cut: a brace or a text is not closed");
+    EXPECT_EQ(fault(ForeignFormat::fbx, "; a } in words\nFBXHeaderExtension: \"{\" {\n}\n"), "");
+}
+
+TEST(ForeignCollada, utf_16_becomes_utf_8) {
+    const std::string text =
+        "<?xml version=\"1.0\" encoding=\"utf-16\"?><COLLADA>\xC3\xA9</COLLADA>";
+    std::string wide = "\xFF\xFE";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_accented = text[i] == '\xC3';
+        wide += is_accented ? '\xE9' : text[i];
+        wide += '\0';
+        i += is_accented ? 1 : 0;
+    }
+    const auto mended = mended_text(ForeignFormat::collada, wide);
+    ASSERT_TRUE(mended) << mended.error().message;
+    EXPECT_EQ(*mended, "<?xml version=\"1.0\" encoding=\"utf-8\"?><COLLADA>\xC3\xA9</COLLADA>");
+    EXPECT_EQ(fault(ForeignFormat::collada, wide.substr(0, wide.size() - 1)), "UTF-16 that is cut");
+}
+
+TEST(ForeignCollada, blanks_before_the_numbers_of_a_list_are_taken_out) {
+    EXPECT_EQ(mended_text(ForeignFormat::collada, "<COLLADA><p> \n 1 2 </p> <q> a</q></COLLADA>"),
+              "<COLLADA><p>1 2 </p> <q> a</q></COLLADA>");
+}
+
+TEST(ForeignCollada, what_assimp_would_break_at_is_refused) {
+    EXPECT_EQ(fault(ForeignFormat::collada, "<xml/>"), "no Collada");
+    EXPECT_EQ(fault(ForeignFormat::collada, "<!DOCTYPE x [<!ENTITY a \"b\">]><COLLADA/>"),
+              "it defines entities of its own, which are not read");
+    std::string deep = "<COLLADA>";
+    for (int i = 0; i < 300; ++i) {
+        deep += "<node>";
+    }
+    EXPECT_EQ(fault(ForeignFormat::collada, deep), "more than 256 elements inside one another");
+    EXPECT_EQ(fault(ForeignFormat::collada, "<COLLADA><p>0 -5</p></COLLADA>"),
+              "a corner with a negative number");
+    EXPECT_EQ(fault(ForeignFormat::collada, "<COLLADA><accessor stride=\"0\"/></COLLADA>"),
+              "a source with stride 0");
+}
+
+}  // namespace
+}  // namespace raks::engine

@@ -1,0 +1,146 @@
+// Models that raks-import reads in a process of its own: what it makes of them, and what becomes of
+// us when it does not do what it should.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "base/pending_file.hpp"
+#include "render/import/model_reader.hpp"
+#include "tests/fuzz/mutation.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace render;
+
+/// A square with a picture's name and a colour; metres as the file has them.
+constexpr const char* kObj = R"(mtllib square.mtl
+v 0 0 0
+v 2 0 0
+v 2 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+usemtl red
+f 1/1 2/2 3/3 4/4
+)";
+
+constexpr const char* kMaterial = "newmtl red\nKd 1 0 0\nd 0.5\nmap_Kd ../outside.png\n";
+
+/// One triangle in inches with z up, on a node that is moved and turned by a clip.
+constexpr const char* kCollada =
+    R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit meter="0.0254"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh><source id="gp"><float_array id="gpa" count="9">0 0 0 1 0 0 0 0 1</float_array>
+<technique_common><accessor source="#gpa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="gv"><input semantic="POSITION" source="#gp"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#gv" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n" name="n"><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+
+std::string message(const Expected<Model>& model) {
+    return model ? std::string() : model.error().message;
+}
+
+class ImportChild : public testing::Test {
+ protected:
+    ~ImportChild() override { setenv("RAKS_IMPORTER", importer_.c_str(), 1); }
+
+    fs::path give(const std::string& name, const std::string& bytes) const {
+        EXPECT_TRUE(write_file(folder_ / name, bytes));
+        return folder_ / name;
+    }
+
+    /// Another program takes the place of raks-import.
+    void replace(const std::string& script) const {
+        const fs::path program = give("importer", "#!/bin/bash\n" + script);
+        fs::permissions(program, fs::perms::owner_all);
+        setenv("RAKS_IMPORTER", program.c_str(), 1);
+    }
+
+    const std::string importer_ = std::getenv("RAKS_IMPORTER");
+    const TemporaryFolder folder_;
+};
+
+TEST_F(ImportChild, reads_an_obj_with_what_lies_beside_it_and_nothing_outside) {
+    give("square.mtl", kMaterial);
+    const auto model = load_model(give("square.obj", kObj));
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->format, "OBJ");
+    ASSERT_EQ(model->meshes.size(), 1U);
+    const ModelPrimitive& part = model->meshes[0].primitives.at(0);
+    EXPECT_EQ(part.positions.size(), 4U);
+    EXPECT_EQ(part.indices.size(), 6U);
+    EXPECT_EQ(part.uv[0].at(0), glm::vec2(0.0F, 1.0F));  // counted from the upper edge
+    const ModelMaterial& red = model->materials.at(static_cast<std::size_t>(part.material));
+    EXPECT_EQ(red.base_colour, glm::vec4(1.0F, 0.0F, 0.0F, 0.5F));
+    EXPECT_EQ(red.alpha_mode, AlphaMode::blend);
+    ASSERT_FALSE(model->warnings.empty());
+    EXPECT_NE(model->warnings[0].find("leads out of the model's folder"), std::string::npos)
+        << model->warnings[0];
+}
+
+TEST_F(ImportChild, brings_collada_to_metres_and_y_up) {
+    const auto model = load_model(give("x.dae", kCollada));
+    ASSERT_TRUE(model) << model.error().message;
+    const auto& places = model->meshes.at(0).primitives.at(0).positions;
+    ASSERT_EQ(places.size(), 3U);
+    // The turn is the root's.
+    EXPECT_NEAR(places[1].x, 0.0254F, 1e-7F);
+    const glm::vec3 up = model->nodes.at(0).rotation * places[2];
+    EXPECT_NEAR(up.y, 0.0254F, 1e-7F);
+}
+
+TEST_F(ImportChild, that_breaks_off_is_one_line) {
+    const fs::path file = give("x.dae", kCollada);
+    replace("exit 3\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader broke off (exit code 3): it is damaged, or too large");
+    replace("kill -SEGV $$\n");
+    EXPECT_NE(message(load_model(file)).find("(killed by SIGSEGV)"), std::string::npos);
+}
+
+TEST_F(ImportChild, that_says_nonsense_is_one_line) {
+    const fs::path file = give("x.dae", kCollada);
+    replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader answered nonsense and was ended");
+    // A part of the right kind (5: done) with a garbled model in it.
+    replace(R"(printf '\x01\x00IR\x05\0\0\0\x08\0\0\0\0\0\0\0glTFglTF' >&3
+sleep 100
+)");
+    EXPECT_EQ(message(load_model(file)), file.string() + ": as glTF: cut within its head");
+}
+
+TEST_F(ImportChild, that_is_not_there_is_one_line) {
+    const fs::path file = give("x.dae", kCollada);
+    setenv("RAKS_IMPORTER", "/nowhere/raks-import", 1);
+    EXPECT_NE(message(load_model(file)).find("/nowhere/raks-import: is not there"),
+              std::string::npos);
+}
+
+// RAKS_MODEL_MUTANTS=2000 tries that many of each.
+TEST_F(ImportChild, damaged_files_are_read_or_refused_in_one_line) {
+    const char* const more = std::getenv("RAKS_MODEL_MUTANTS");
+    const int mutants = more == nullptr ? 50 : std::atoi(more);
+    for (const auto& [name, good] : {std::pair{"x.obj", kObj}, std::pair{"x.dae", kCollada}}) {
+        for (int seed = 0; seed < mutants; ++seed) {
+            const auto number = static_cast<std::uint64_t>(seed);
+            const std::string bytes =
+                seed % 2 == 0 ? fuzz::mutated(good, number) : fuzz::mutated_bytes(good, number);
+            const auto model = load_model(give(name, bytes));
+            EXPECT_EQ(message(model).find('\n'), std::string::npos) << name << " seed " << seed;
+            EXPECT_EQ(message(model).find("took more than"), std::string::npos)
+                << name << " seed " << seed;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace raks::test
