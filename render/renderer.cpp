@@ -77,7 +77,9 @@ class DrawingState {
         glViewport(target.x, target.y, target.width, target.height);
         // Clearing ignores the viewport: without the scissor it would wipe the other tiles of a
         // sheet.
-        glScissor(target.x, target.y, target.width, target.height);
+        const PixelBox part =
+            target.part.value_or(PixelBox{target.x, target.y, target.width, target.height});
+        glScissor(part.x, part.y, part.width, part.height);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glEnable(GL_SCISSOR_TEST);
         glEnable(GL_DEPTH_TEST);

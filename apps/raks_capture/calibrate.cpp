@@ -106,17 +106,22 @@ std::string report_text(const capture::RigCalibration& done) {
 constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file of clocks or choices
 constexpr double kUsuallyEvery = 0.5;                      // seconds
 
-Expected<BoardSearch> search_of(const CalibrationChoices& choices, ProgressLine& progress) {
+// Clocks that were chosen, else those that `sync --boards` wrote.
+Expected<BoardSearch> search_of(const CapturePlan& plan,
+                                const CalibrationChoices& choices,
+                                ProgressLine& progress) {
+    const Path own = plan.file("board_clocks.toml");
+    const Path clocks_file = choices.clocks.empty() && is_there(own) ? own : Path(choices.clocks);
     BoardSearch search;
     search.every = choices.every.value_or(kUsuallyEvery);
     search.on_progress = [&progress](double share) { progress.show(share); };
     search.is_stop_requested = [] { return stop_signal().has_value(); };
-    if (!choices.clocks.empty()) {
-        const auto text = read_text_file(choices.clocks, kMostBytes);
+    if (!clocks_file.empty()) {
+        const auto text = read_text_file(clocks_file, kMostBytes);
         if (!text) {
             return fail(text.error());
         }
-        auto clocks = capture::read_clocks(*text, choices.clocks);
+        auto clocks = capture::read_clocks(*text, clocks_file.string());
         if (!clocks) {
             return fail(std::move(clocks.error()));
         }
@@ -128,7 +133,7 @@ Expected<BoardSearch> search_of(const CalibrationChoices& choices, ProgressLine&
 Expected<capture::RigCalibration> calibrate_films(const CapturePlan& plan,
                                                   const CalibrationChoices& choices) {
     ProgressLine progress("looking for the board");
-    const auto search = search_of(choices, progress);
+    const auto search = search_of(plan, choices, progress);
     if (!search) {
         return fail(search.error());
     }

@@ -48,6 +48,16 @@ bool shows_both(const CapturePlan& plan) {
     });
 }
 
+// Whether the clocks of the calibration films are to be told from their own sound: folders of
+// pictures have none, and need none.
+bool has_board_films(const CapturePlan& plan, const std::vector<Path>& boards) {
+    return !boards.empty() && !shows_both(plan) &&
+           std::none_of(boards.begin(), boards.end(), [](const Path& board) {
+               std::error_code problem;
+               return std::filesystem::is_directory(board, problem);
+           });
+}
+
 }  // namespace
 
 std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
@@ -96,11 +106,17 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
         calibrate.inputs.push_back(plan.file("clocks.toml"));
         std::swap(calibrate, sync);
     }
-    return {std::move(calibrate),
-            std::move(sync),
-            std::move(track),
-            std::move(solve),
-            std::move(report)};
+    std::vector<CaptureStep> steps;
+    if (has_board_films(plan, boards)) {
+        const std::vector<Path> clocks = files_of(plan, {"board_clocks.toml"});
+        steps.push_back(
+            {"sync", {"--boards"}, joined(boards, files_of(plan, {"capture.toml"})), clocks});
+        calibrate.inputs = joined(std::move(calibrate.inputs), clocks);
+    }
+    for (CaptureStep* const step : {&calibrate, &sync, &track, &solve, &report}) {
+        steps.push_back(std::move(*step));
+    }
+    return steps;
 }
 
 StepState state_of(const CaptureStep& step) {

@@ -6,24 +6,19 @@
 #include <memory>
 #include <utility>
 
-#include "apps/raks_capture/filmed_picture.hpp"
-#include "audio/music/damage/room_recorder.hpp"
-#include "base/dice.hpp"
 #include "base/suggest.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/renderer.hpp"
-#include "render/video/video_writer.hpp"
+#include "render/scene/stage_light.hpp"
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 namespace raks::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kSoundRate = 48'000;
-constexpr int kBlurDrawings = 2;  // of a picture while the shutter is open
 
 struct Paint {
     std::string_view name;
@@ -61,39 +56,100 @@ render::Theme studio_theme() {
     return theme;
 }
 
-/// What one picture after the other is drawn with.
-class Studio {
+/// The part of a picture in which a dancer is to be seen.
+class DancerExtent {
  public:
-    [[nodiscard]] static Expected<Studio> open(const capture::StudioMotion& motion,
-                                               const capture::MarkerSet& markers);
+    explicit DancerExtent(const render::PinholeView& view) : view_(view) {}
 
-    /// Draws the dancer at a moment of the capture, RGBA.
-    [[nodiscard]] Expected<std::span<const std::uint8_t>> draw(const render::PinholeView& view,
-                                                               double capture_time);
+    /// Takes in the body, its markers and its shadow.
+    void take_in(const motion::WorldPose& world, const glm::vec3& key_light) {
+        constexpr double kAround = 0.4;  // a joint: flesh, hair and markers; metres
+        constexpr double kFaded = 2.5;   // radii of a shadow beyond which there is nothing of it
+        for (std::size_t bone = 0; bone < motion::kBoneCount; ++bone) {
+            take_in(glm::dvec3(world.position(static_cast<motion::Bone>(bone))), kAround);
+        }
+        for (const render::ShadowBlob& blob : render::shadow_blobs(world, 1.0F, key_light)) {
+            take_in({blob.x, 0.0, blob.z}, kFaded * static_cast<double>(blob.radius));
+        }
+    }
+
+    /// In pixels of the view, rows from below.
+    [[nodiscard]] render::PixelBox box() const {
+        const glm::dvec2 low = glm::clamp(glm::floor(low_), glm::dvec2(0.0), size());
+        const glm::dvec2 high = glm::clamp(glm::ceil(high_), low, size());
+        return {static_cast<int>(low.x),
+                static_cast<int>(size().y - high.y),
+                static_cast<int>(high.x - low.x),
+                static_cast<int>(high.y - low.y)};
+    }
 
  private:
-    Studio(render::OffscreenContext context,
-           render::Renderer renderer,
-           const capture::StudioMotion& motion,
-           const capture::MarkerSet& markers)
+    [[nodiscard]] glm::dvec2 size() const { return {view_.width, view_.height}; }
+
+    void take_in(const glm::dvec3& centre, double radius) {
+        const glm::dvec3 place = view_.rotation * centre + view_.translation;
+        const double depth = place.z - radius;
+        if (depth < 0.1) {
+            low_ = glm::dvec2(0.0);  // too near to tell
+            high_ = size();
+            return;
+        }
+        const glm::dvec2 middle(view_.fx * place.x / place.z + view_.cx,
+                                view_.fy * place.y / place.z + view_.cy);
+        const glm::dvec2 reach = radius / depth * glm::dvec2(view_.fx, view_.fy);
+        low_ = glm::min(low_, middle - reach);
+        high_ = glm::max(high_, middle + reach);
+    }
+
+    const render::PinholeView& view_;
+    glm::dvec2 low_{1e9};
+    glm::dvec2 high_{-1e9};
+};
+
+/// The dancer with its markers on the stage. Most of a picture is the empty stage, which is drawn
+/// once a camera: of each further picture only the part is drawn where the dancer and its shadow
+/// are.
+class DrawnDancer : public DrawnEvent {
+ public:
+    [[nodiscard]] static Expected<std::unique_ptr<DrawnDancer>> create(
+        const capture::StudioMotion& motion, const capture::MarkerSet& markers);
+
+    [[nodiscard]] Expected<std::span<const std::uint8_t>> aim(
+        const render::PinholeView& view) override;
+    [[nodiscard]] Expected<EventPicture> draw(double capture_time) override;
+
+ private:
+    DrawnDancer(render::OffscreenContext context,
+                render::Renderer renderer,
+                const capture::StudioMotion& motion,
+                const capture::MarkerSet& markers)
         : context_(std::move(context)),
           renderer_(std::move(renderer)),
-          motion_(&motion),
-          markers_(&markers) {}
+          motion_(motion),
+          markers_(markers) {}
     [[nodiscard]] Expected<void> make_target(const render::PinholeView& view);
+    [[nodiscard]] render::Scene stage() const;
+    [[nodiscard]] Expected<void> read_part(const render::PixelBox& part);
+    void copy_rows(const render::PixelBox& part,
+                   std::span<const std::uint8_t> from,
+                   int from_width);
 
     render::OffscreenContext context_;
     render::Renderer renderer_;
-    const capture::StudioMotion* motion_;
-    const capture::MarkerSet* markers_;
+    const capture::StudioMotion& motion_;
+    const capture::MarkerSet& markers_;
     std::vector<glm::vec3> paints_;  // by marker
-    std::unique_ptr<const render::Theme> theme_ = std::make_unique<render::Theme>(studio_theme());
+    render::Theme theme_ = studio_theme();
     std::optional<render::OffscreenTarget> target_;
-    std::vector<std::uint8_t> rgba_;
+    render::PinholeView view_;
+    std::vector<std::uint8_t> empty_;  // the stage
+    std::vector<std::uint8_t> rgba_;   // the stage with the dancer in last_
+    std::vector<std::uint8_t> read_;   // of the part that was drawn
+    render::PixelBox last_;
 };
 
-Expected<Studio> Studio::open(const capture::StudioMotion& motion,
-                              const capture::MarkerSet& markers) {
+Expected<std::unique_ptr<DrawnDancer>> DrawnDancer::create(const capture::StudioMotion& motion,
+                                                           const capture::MarkerSet& markers) {
     std::vector<glm::vec3> paints;
     for (const capture::Marker& marker : markers.markers) {
         const auto paint = marker_paint(marker.colour);
@@ -113,147 +169,111 @@ Expected<Studio> Studio::open(const capture::StudioMotion& motion,
     if (auto prepared = renderer->prepare_spheres(); !prepared) {
         return fail(std::move(prepared.error()));
     }
-    Studio studio(std::move(*context), std::move(*renderer), motion, markers);
-    studio.paints_ = std::move(paints);
-    return studio;
+    std::unique_ptr<DrawnDancer> dancer(
+        new DrawnDancer(std::move(*context), std::move(*renderer), motion, markers));
+    dancer->paints_ = std::move(paints);
+    return dancer;
 }
 
-Expected<void> Studio::make_target(const render::PinholeView& view) {
+Expected<void> DrawnDancer::make_target(const render::PinholeView& view) {
     const auto width = static_cast<int>(view.width);
     const auto height = static_cast<int>(view.height);
     if (target_ && target_->width() == width && target_->height() == height) {
         return {};
     }
-    auto target = render::OffscreenTarget::create(
-        {.width = width, .height = height, .samples = renderer_.samples()});
+    // The target is larger than the picture, and needs no further samples.
+    auto target = render::OffscreenTarget::create({.width = width, .height = height, .samples = 1});
     if (!target) {
         return fail(std::move(target.error()));
     }
     target_ = std::move(*target);
-    rgba_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     return {};
 }
 
-Expected<std::span<const std::uint8_t>> Studio::draw(const render::PinholeView& view,
-                                                     double capture_time) {
-    if (auto made = make_target(view); !made) {
-        return fail(std::move(made.error()));
-    }
-    const motion::Pose pose =
-        motion::pose_between(motion_->poses, capture_time * motion_->frames_per_second);
-    const motion::WorldPose world = motion::world_pose(motion_->skeleton, pose);
+render::Scene DrawnDancer::stage() const {
     render::Scene scene;
     scene.camera.yaw = 0.0F;  // the lights are those of the room, not of this camera
     scene.dress = render::Dress::mannequin;
-    scene.theme = theme_.get();
-    scene.placed = render::placed_camera(view);
-    const std::vector<glm::dvec3> places =
-        capture::marker_places(*markers_, motion_->skeleton, world);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        scene.spheres.push_back({.centre = glm::vec3(places[i]),
-                                 .radius = static_cast<float>(markers_->radius),
-                                 .colour = paints_[i]});
+    scene.theme = &theme_;
+    scene.placed = render::placed_camera(view_);
+    return scene;
+}
+
+Expected<std::span<const std::uint8_t>> DrawnDancer::aim(const render::PinholeView& view) {
+    if (auto made = make_target(view); !made) {
+        return fail(std::move(made.error()));
     }
-    renderer_.draw(scene, pose, target_->frame());
-    if (auto read = target_->read_rgba(rgba_); !read) {
+    view_ = view;
+    empty_.resize(static_cast<std::size_t>(target_->width()) *
+                  static_cast<std::size_t>(target_->height()) * 4);
+    motion::Pose far_away;
+    far_away.hips_position.z = 1e4F;
+    renderer_.draw(stage(), far_away, target_->frame());
+    if (auto read = target_->read_rgba(empty_); !read) {
         return fail(std::move(read.error()));
     }
-    return std::span<const std::uint8_t>(rgba_);
+    rgba_ = empty_;
+    last_ = {};
+    return std::span<const std::uint8_t>(empty_);
 }
 
-/// The film of one camera.
-class CameraTake {
- public:
-    CameraTake(Studio& studio,
-               const capture::Camera& camera,
-               const capture::Clock& clock,
-               std::size_t number,
-               const DrawnFilmOptions& options)
-        : studio_(studio),
-          camera_(camera),
-          clock_(clock),
-          number_(number),
-          options_(options),
-          dice_(options.seed, 100 + number),
-          filmed_(camera, options.is_draft ? 1 : 2) {
-        const double gain = dice_.log_uniform(options.least_gain, options.greatest_gain);
-        for (int c = 0; c < 3; ++c) {
-            const double cast = dice_.uniform(-0.5, 0.5) * options.colour_cast;
-            sensor_.gain[c] = gain * (1.0 + cast);
-        }
-        sensor_.noise = options.noise;
+// Rows of the picture go down, those of a box up.
+void DrawnDancer::copy_rows(const render::PixelBox& part,
+                            std::span<const std::uint8_t> from,
+                            int from_width) {
+    const bool is_whole = from_width == target_->width();
+    const int top = target_->height() - part.y - part.height;
+    for (int row = 0; row < part.height; ++row) {
+        const auto to = static_cast<std::ptrdiff_t>(top + row) * target_->width() + part.x;
+        const auto source = is_whole ? to : static_cast<std::ptrdiff_t>(row) * from_width;
+        std::copy_n(from.begin() + 4 * source, 4 * part.width, rgba_.begin() + 4 * to);
     }
-
-    [[nodiscard]] Expected<void> write(const fs::path& path, std::size_t pictures);
-
- private:
-    [[nodiscard]] Expected<void> add_picture(render::VideoWriter& film, std::size_t picture);
-    [[nodiscard]] std::vector<float> heard(std::size_t pictures);
-
-    Studio& studio_;
-    const capture::Camera& camera_;
-    const capture::Clock& clock_;
-    std::size_t number_;
-    const DrawnFilmOptions& options_;
-    Dice dice_;
-    FilmedPicture filmed_;
-    Sensor sensor_;
-};
-
-std::vector<float> CameraTake::heard(std::size_t pictures) {
-    const audio::RoomRecorder recorder{
-        .seconds = static_cast<double>(pictures) / options_.frames_per_second,
-        .offset = clock_.offset,
-        .drift_ppm = clock_.drift_ppm,
-        .metres = glm::distance(camera_.centre(), options_.loudspeaker),
-        .reverberation = options_.reverberation,
-        .signal_to_noise_db = options_.signal_to_noise_db};
-    return audio::record_in_room(kSoundRate, options_.music, recorder, dice_);
 }
 
-Expected<void> CameraTake::add_picture(render::VideoWriter& film, std::size_t picture) {
-    const double time =
-        clock_.capture_time(static_cast<double>(picture) / options_.frames_per_second);
-    const int drawings = options_.is_draft ? 1 : kBlurDrawings;
-    for (int i = 0; i < drawings; ++i) {
-        // The middle of the time in which the shutter is open is that of the picture.
-        const double off = options_.shutter_seconds * ((i + 0.5) / drawings - 0.5);
-        const auto drawn = studio_.draw(filmed_.drawing(), time + off);
-        if (!drawn) {
-            return fail(drawn.error());
-        }
-        filmed_.add(*drawn);
+Expected<void> DrawnDancer::read_part(const render::PixelBox& part) {
+    copy_rows(last_, empty_, target_->width());
+    last_ = {};
+    if (part.width < 1 || part.height < 1) {
+        return {};
     }
-    return film.add_picture(filmed_.develop(sensor_, dice_));
+    read_.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height) * 4);
+    if (auto read = render::read_rgba({.framebuffer = target_->frame().framebuffer,
+                                       .x = part.x,
+                                       .y = part.y,
+                                       .width = part.width,
+                                       .height = part.height},
+                                      read_);
+        !read) {
+        return read;
+    }
+    copy_rows(part, read_, part.width);
+    last_ = part;
+    return {};
 }
 
-Expected<void> CameraTake::write(const fs::path& path, std::size_t pictures) {
-    auto film =
-        render::VideoWriter::create(path,
-                                    {.width = camera_.lens.width,
-                                     .height = camera_.lens.height,
-                                     .rate = render::FrameRate::nearest(options_.frames_per_second),
-                                     .quality = render::VideoQuality::high,
-                                     .audio_rate = kSoundRate,
-                                     .audio_channels = options_.music.empty() ? 0 : 1});
-    if (!film) {
-        return fail(std::move(film.error()));
+Expected<EventPicture> DrawnDancer::draw(double capture_time) {
+    const motion::Pose pose =
+        motion::pose_between(motion_.poses, capture_time * motion_.frames_per_second);
+    const motion::WorldPose world = motion::world_pose(motion_.skeleton, pose);
+    render::Scene scene = stage();
+    const std::vector<glm::dvec3> places =
+        capture::marker_places(markers_, motion_.skeleton, world);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        scene.spheres.push_back({.centre = glm::vec3(places[i]),
+                                 .radius = static_cast<float>(markers_.radius),
+                                 .colour = paints_[i]});
     }
-    if (!options_.music.empty()) {
-        if (auto added = (*film)->add_sound(heard(pictures)); !added) {
-            return added;
-        }
+    DancerExtent extent(view_);
+    extent.take_in(world, render::light_directions(scene.camera).key);
+    render::FrameTarget frame = target_->frame();
+    frame.part = extent.box();
+    renderer_.draw(scene, pose, frame);
+    if (auto read = read_part(*frame.part); !read) {
+        return fail(std::move(read.error()));
     }
-    for (std::size_t i = 0; i < pictures; ++i) {
-        if (options_.is_stop_requested()) {
-            return fail(path.string() + ": was stopped");
-        }
-        if (auto added = add_picture(**film, i); !added) {
-            return added;
-        }
-        options_.tell_progress(number_, i + 1, pictures);
-    }
-    return (*film)->finish();
+    const render::PixelBox& part = *frame.part;
+    return EventPicture{
+        rgba_, {part.x, target_->height() - part.y - part.height, part.width, part.height}};
 }
 
 }  // namespace
@@ -275,9 +295,9 @@ Expected<std::vector<fs::path>> draw_films(const capture::StudioMotion& motion,
                                            std::span<const capture::Clock> clocks,
                                            const fs::path& folder,
                                            const DrawnFilmOptions& options) {
-    auto studio = Studio::open(motion, markers);
-    if (!studio) {
-        return fail(std::move(studio.error()));
+    const auto dancer = DrawnDancer::create(motion, markers);
+    if (!dancer) {
+        return fail(dancer.error());
     }
     const double seconds = static_cast<double>(motion.poses.size() - 1) / motion.frames_per_second;
     const auto pictures =
@@ -285,8 +305,8 @@ Expected<std::vector<fs::path>> draw_films(const capture::StudioMotion& motion,
     std::vector<fs::path> films;
     for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
         films.push_back(folder / (rig.cameras[i].name + options.ending));
-        CameraTake take(*studio, rig.cameras[i], clocks[i], i, options);
-        if (auto written = take.write(films.back(), pictures); !written) {
+        const FilmingCamera filming{rig.cameras[i], clocks[i], i, pictures};
+        if (auto written = film_event(**dancer, filming, films.back(), options); !written) {
             return fail(std::move(written.error()));
         }
     }

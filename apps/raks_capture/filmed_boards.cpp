@@ -11,6 +11,8 @@
 #include "engine/films/numbered_pictures.hpp"
 #include "motion/capture/calibration/board_detection.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::apps {
 namespace {
 
@@ -26,16 +28,15 @@ std::vector<std::uint8_t> grey_of(const engine::FilmPicture& picture) {
     return grey;
 }
 
-// Says which pictures of one film are looked at, and as which moments.
+// Which pictures of one film, or between which, are looked at as which moments.
 class Steps {
  public:
     Steps(const engine::FilmInfo& info,
           const std::filesystem::path& path,
-          const std::string& name,
-          const BoardSearch& search) {
+          const capture::Clock& clock,
+          double every) {
         constexpr double kUsualRate = 30.0;
         const double rate = info.pictures_per_second > 0.0 ? info.pictures_per_second : kUsualRate;
-        every_ = search.every;
         const auto pictures = engine::list_numbered_pictures(path);
         if (info.format == "pictures" && pictures) {
             // Every picture was chosen by hand; its moment is its number, whatever the first one
@@ -45,49 +46,170 @@ class Steps {
             near_ = 0.5 * every_;
             return;
         }
-        near_ = 0.5 / rate;
-        for (const capture::Clock& clock : search.clocks) {
-            if (clock.camera == name) {
-                clock_ = clock;
-            }
-        }
+        every_ = every;
+        clock_ = clock;
+        longest_gap_ = 2.5 / rate;
     }
 
-    // None: this picture is not looked at.
-    std::optional<std::size_t> moment_of(double seconds) {
+    // A moment, and how far it lies on the way from a picture to the next, (0, 1].
+    struct Step {
+        std::size_t moment = 0;
+        double share = 1.0;
+    };
+
+    // The step that lies behind the picture before and not behind this one. None: neither is
+    // looked at.
+    std::optional<Step> step_at(double seconds) {
         const double time = clock_.capture_time(seconds);
-        const double step = std::round(time / every_);
-        if (step < 0.0 || std::abs(time - step * every_) > near_ * 1.001) {
+        const std::optional<double> before = std::exchange(before_, time);
+        const double step = std::floor((time + near_) / every_);
+        const double moment = step * every_;
+        if (step < 0.0 || (last_ && *last_ >= static_cast<std::size_t>(step))) {
             return std::nullopt;
         }
-        const auto moment = static_cast<std::size_t>(step);
-        if (last_ && *last_ >= moment) {
+        if (time - moment <= near_) {
+            last_ = static_cast<std::size_t>(step);
+            return Step{*last_, 1.0};
+        }
+        if (!before || moment < *before || time - *before > longest_gap_) {
             return std::nullopt;
         }
-        last_ = moment;
-        return moment;
+        last_ = static_cast<std::size_t>(step);
+        return Step{*last_, (moment - *before) / (time - *before)};
     }
 
  private:
     double every_ = 0.5;
-    double near_ = 0.0;
+    double near_ = 1e-3;         // a picture within this is of the moment itself; seconds
+    double longest_gap_ = 0.25;  // between pictures of which one knows what was between; seconds
     capture::Clock clock_;
+    std::optional<double> before_;
     std::optional<std::size_t> last_;
+};
+
+// What is between two pictures of a board.
+struct BetweenPictures {
+    std::vector<capture::BoardCorner> corners;  // at the moment, of those that both show
+    bool is_still_enough = true;                // else nobody knows where it was at the moment
+};
+
+BetweenPictures between(const std::vector<capture::BoardCorner>& before,
+                        const std::vector<capture::BoardCorner>& after,
+                        double share,
+                        int width) {
+    const double farthest = width / 150.0;  // pixels
+    BetweenPictures result;
+    double way = 0.0;
+    for (const capture::BoardCorner& corner : after) {
+        const auto same = std::find_if(before.begin(), before.end(), [&](const auto& other) {
+            return other.corner == corner.corner;
+        });
+        if (same != before.end()) {
+            const glm::dvec2 shift = corner.pixel - same->pixel;
+            way += glm::length(shift);
+            result.corners.push_back({corner.corner, same->pixel + share * shift});
+        }
+    }
+    result.is_still_enough = way <= farthest * static_cast<double>(result.corners.size());
+    return result;
+}
+
+// What was seen in one film.
+struct Look {
+    std::size_t pictures = 0;  // moments that were looked at
+    std::size_t found = 0;
+    std::size_t moving = 0;          // moments at which the board was carried too quickly
+    std::size_t foreign = 0;         // pictures with markers that the board does not have
+    std::vector<std::uint8_t> last;  // picture that was looked at
 };
 
 // Why a camera never saw the board.
 std::string why_unseen(const PlannedCamera& camera,
                        const capture::Board& board,
-                       const capture::GreyPicture& last,
-                       std::size_t pictures) {
+                       const engine::FilmInfo& info,
+                       const Look& look) {
     const std::string head = fmt::format("camera \"{}\": {} shows no board in {} pictures",
                                          camera.name,
                                          camera.calibration.string(),
-                                         pictures);
-    const std::string_view guess = capture::guess_dictionary(last);
+                                         look.pictures);
+    if (look.moving > 0) {
+        return fmt::format("{}, but in {} one that moves: hold it still for a second at each place",
+                           head,
+                           look.moving);
+    }
+    const std::string_view guess = capture::guess_dictionary({info.width, info.height, look.last});
     return guess.empty() || guess == board.dictionary
                ? head + ": is it the board that capture.toml says, large and sharp enough?"
                : fmt::format("{}, but markers of {}: is that its dictionary?", head, guess);
+}
+
+// Markers that the board does not have: it is another board, or a doubt.
+Expected<void> check_board_is_planned(const capture::Board& board,
+                                      const PlannedCamera& camera,
+                                      const Look& look,
+                                      std::vector<std::string>& warnings) {
+    // By chance a picture of a room has one of a thousand markers, too.
+    if (2 * look.foreign <= std::max<std::size_t>(look.found, 1)) {
+        return {};
+    }
+    std::string doubt = fmt::format(
+        "camera \"{}\": {} shows markers of {} that a board of {} x {} does not have, "
+        "in {} of {} pictures: are columns and rows right?",
+        camera.name,
+        camera.calibration.string(),
+        board.dictionary,
+        board.columns,
+        board.rows,
+        look.foreign,
+        look.pictures);
+    if (look.found == 0) {
+        return fail(std::move(doubt));
+    }
+    warnings.push_back(std::move(doubt));
+    return {};
+}
+
+// The board at a moment that lies at a picture or between it and the one before.
+std::vector<capture::BoardCorner> board_at(double share,
+                                           const std::optional<engine::FilmPicture>& before,
+                                           const engine::FilmPicture& after,
+                                           const capture::Board& board,
+                                           Look& look) {
+    const auto find = [&](const engine::FilmPicture& picture) {
+        look.last = grey_of(picture);
+        capture::BoardView view =
+            capture::find_board({picture.width, picture.height, look.last}, board);
+        look.foreign += view.foreign_markers > 0 ? 1U : 0U;
+        return view.corners.size() >= capture::kFewestBoardCorners
+                   ? std::move(view.corners)
+                   : std::vector<capture::BoardCorner>();
+    };
+    ++look.pictures;
+    std::vector<capture::BoardCorner> corners = find(after);
+    if (share < 1.0 && before && !corners.empty()) {
+        BetweenPictures both = between(find(*before), corners, share, after.width);
+        look.moving += both.is_still_enough ? 0U : 1U;
+        corners = both.is_still_enough && both.corners.size() >= capture::kFewestBoardCorners
+                      ? std::move(both.corners)
+                      : std::vector<capture::BoardCorner>();
+    }
+    look.found += corners.empty() ? 0U : 1U;
+    return corners;
+}
+
+Expected<capture::Clock> clock_of(const PlannedCamera& camera, const BoardSearch& search) {
+    if (search.clocks.empty()) {
+        return capture::Clock{camera.name, 0.0, 0.0, 1.0};
+    }
+    const auto found =
+        std::find_if(search.clocks.begin(), search.clocks.end(), [&](const capture::Clock& clock) {
+            return clock.camera == camera.name;
+        });
+    return found != search.clocks.end()
+               ? Expected<capture::Clock>(*found)
+               : fail(fmt::format("camera \"{}\": the clocks of the calibration films say nothing "
+                                  "of it; set it by hand: raks capture sync --boards --offsets",
+                                  camera.name));
 }
 
 Expected<void> look_at(const CapturePlan& plan,
@@ -100,71 +222,46 @@ Expected<void> look_at(const CapturePlan& plan,
             "camera \"{}\" has no calibration film: name it in capture.toml, calibration = \"...\"",
             camera.name));
     }
+    const auto clock = clock_of(camera, search);
     auto film = engine::FilmReader::open(plan.file(camera.calibration),
                                          {.is_stop_requested = search.is_stop_requested});
-    if (!film) {
-        return fail(std::move(film.error()));
+    if (!clock || !film) {
+        return fail(clock ? std::move(film.error()) : clock.error());
     }
     const engine::FilmInfo& info = (*film)->info();
     boards.cameras.push_back({camera.name, info.width, info.height, {}});
-    Steps steps(info, plan.file(camera.calibration), camera.name, search);
-    std::size_t pictures = 0;
-    std::size_t found = 0;
-    std::size_t foreign = 0;
-    std::vector<std::uint8_t> grey;
+    Steps steps(info, plan.file(camera.calibration), *clock, search.every);
+    Look look;
+    std::optional<engine::FilmPicture> before;
     while (true) {
-        const auto picture = (*film)->next();
+        auto picture = (*film)->next();
         if (!picture) {
             return fail(picture.error());
         }
         if (!*picture) {
             break;
         }
-        const auto moment = steps.moment_of((*picture)->seconds);
-        if (!moment) {
-            continue;
+        if (const auto step = steps.step_at((*picture)->seconds)) {
+            auto corners = board_at(step->share, before, **picture, plan.board, look);
+            if (!corners.empty()) {
+                boards.sightings.push_back({index, step->moment, std::move(corners)});
+            }
+            const double share =
+                std::min(1.0, (*picture)->seconds / info.claimed_seconds.value_or(60.0));
+            search.on_progress((static_cast<double>(index) + share) /
+                               static_cast<double>(plan.cameras.size()));
         }
-        ++pictures;
-        grey = grey_of(**picture);
-        capture::BoardView view =
-            capture::find_board({(*picture)->width, (*picture)->height, grey}, plan.board);
-        foreign += view.foreign_markers > 0 ? 1U : 0U;
-        if (view.corners.size() >= capture::kFewestBoardCorners) {
-            ++found;
-            boards.sightings.push_back({index, *moment, std::move(view.corners)});
-        }
-        const double share =
-            std::min(1.0, (*picture)->seconds / info.claimed_seconds.value_or(60.0));
-        search.on_progress((static_cast<double>(index) + share) /
-                           static_cast<double>(plan.cameras.size()));
+        before = std::move(*picture);
     }
-    boards.pictures.push_back(pictures);
+    boards.pictures.push_back(look.pictures);
     if (!(*film)->warning().empty()) {
         boards.warnings.push_back((*film)->warning());
     }
-    // By chance a picture of a room has one of a thousand markers, too.
-    const bool is_other_board = 2 * foreign > std::max<std::size_t>(found, 1);
-    const std::string doubt = fmt::format(
-        "camera \"{}\": {} shows markers of {} that a board of {} x {} does not have, "
-        "in {} of {} pictures: are columns and rows right?",
-        camera.name,
-        camera.calibration.string(),
-        plan.board.dictionary,
-        plan.board.columns,
-        plan.board.rows,
-        foreign,
-        pictures);
-    if (is_other_board && found == 0) {
-        return fail(doubt);
+    if (auto checked = check_board_is_planned(plan.board, camera, look, boards.warnings);
+        !checked) {
+        return checked;
     }
-    if (is_other_board) {
-        boards.warnings.push_back(doubt);
-    }
-    if (found == 0) {
-        const capture::GreyPicture last{info.width, info.height, grey};
-        return fail(why_unseen(camera, plan.board, last, pictures));
-    }
-    return {};
+    return look.found > 0 ? Expected<void>{} : fail(why_unseen(camera, plan.board, info, look));
 }
 
 }  // namespace

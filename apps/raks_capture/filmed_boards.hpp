@@ -31,9 +31,11 @@ struct FilmedBoards {
     std::vector<std::string> warnings;  ///< one line each
 };
 
-/// Looks for the board in every camera's calibration film or folder of pictures. Errors: a camera
-/// without one, a film that cannot be read, a camera that never saw the board, with what its
-/// pictures show instead. Threads: one at a time; it uses one.
+/// Looks for the board in every camera's calibration film or folder of pictures. Cameras take their
+/// pictures at different times: where a moment lies between two of a film, corners are taken
+/// between theirs, unless the board moves so far meanwhile that nobody knows. Errors: clocks that
+/// leave out a camera, a camera without one, a film that cannot be read, a camera that never saw
+/// the board, with what its pictures show instead. Threads: one at a time; it uses one.
 [[nodiscard]] Expected<FilmedBoards> find_filmed_boards(const CapturePlan& plan,
                                                         const BoardSearch& search);
 

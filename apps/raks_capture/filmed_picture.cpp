@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
 namespace raks::apps {
@@ -42,7 +43,7 @@ glm::dvec2 undistorted(const capture::Lens& lens, const glm::dvec2& pixel) {
 
 }  // namespace
 
-FilmedPicture::FilmedPicture(const capture::Camera& camera, int scale) {
+FilmedPicture::FilmedPicture(const capture::Camera& camera, int scale) : lens_(camera.lens) {
     find_drawing(camera, scale);
     find_taps(camera.lens, scale);
     const std::size_t pixels = taps_.size();
@@ -133,10 +134,13 @@ void FilmedPicture::find_taps(const capture::Lens& lens, int scale) {
     }
 }
 
-void FilmedPicture::add(std::span<const std::uint8_t> rgba) {
+void FilmedPicture::add_row(std::span<const std::uint8_t> rgba, int row, int left, int right) {
     static const std::array<float, 256> kLight = light_table();
-    float* to = light_.data();
-    for (const Taps& taps : taps_) {
+    const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(lens_.width) +
+                       static_cast<std::size_t>(left);
+    const std::span<const Taps> pixels(&taps_[first], static_cast<std::size_t>(right - left));
+    float* to = &light_[3 * first];
+    for (const Taps& taps : pixels) {
         for (std::size_t i = 0; i < kTaps; ++i) {
             const std::uint8_t* const from = rgba.data() + std::size_t{4} * taps.pixel[i];
             for (std::size_t c = 0; c < 3; ++c) {
@@ -144,6 +148,68 @@ void FilmedPicture::add(std::span<const std::uint8_t> rgba) {
             }
         }
         to += 3;
+    }
+}
+
+void FilmedPicture::add(std::span<const std::uint8_t> rgba) {
+    for (int row = 0; row < lens_.height; ++row) {
+        add_row(rgba, row, 0, lens_.width);
+    }
+    ++added_;
+}
+
+void FilmedPicture::set_still(std::span<const std::uint8_t> rgba) {
+    add(rgba);
+    still_ = light_;
+    std::fill(light_.begin(), light_.end(), 0.0F);
+    added_ = 0;
+}
+
+// What the lens makes of the part's border, and some pixels more.
+FilmedPicture::Region FilmedPicture::region_of(const DrawnPart& part) const {
+    constexpr int kSteps = 64;
+    constexpr double kMore = 2.0;
+    glm::dvec2 low(1e9);
+    glm::dvec2 high(-1e9);
+    const auto reach = [&](double along, double down) {
+        const glm::dvec2 drawn(part.x + along * part.width, part.y + down * part.height);
+        const glm::dvec2 place = capture::distorted_pixel(
+            lens_, {(drawn.x - drawing_.cx) / drawing_.fx, (drawn.y - drawing_.cy) / drawing_.fy});
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+        const double share = static_cast<double>(i) / kSteps;
+        reach(share, 0.0);
+        reach(share, 1.0);
+        reach(0.0, share);
+        reach(1.0, share);
+    }
+    const glm::dvec2 size(lens_.width, lens_.height);
+    low = glm::clamp(glm::floor(low - kMore), glm::dvec2(0.0), size);
+    high = glm::clamp(glm::ceil(high + kMore), low, size);
+    return {static_cast<int>(low.x),
+            static_cast<int>(low.y),
+            static_cast<int>(high.x),
+            static_cast<int>(high.y)};
+}
+
+void FilmedPicture::add(std::span<const std::uint8_t> rgba, const DrawnPart& part) {
+    const Region region = part.width > 0 && part.height > 0 ? region_of(part) : Region{0, 0, 0, 0};
+    const auto add_still = [&](int row, int left, int right) {
+        const int first = 3 * row * lens_.width;
+        for (int i = first + 3 * left; i < first + 3 * right; ++i) {
+            light_[static_cast<std::size_t>(i)] += still_[static_cast<std::size_t>(i)];
+        }
+    };
+    for (int row = 0; row < lens_.height; ++row) {
+        if (row < region.top || row >= region.bottom) {
+            add_still(row, 0, lens_.width);
+            continue;
+        }
+        add_still(row, 0, region.left);
+        add_row(rgba, row, region.left, region.right);
+        add_still(row, region.right, lens_.width);
     }
     ++added_;
 }

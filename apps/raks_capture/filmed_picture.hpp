@@ -19,6 +19,14 @@ struct Sensor {
     double noise = 2.0;    ///< grey levels, standard deviation
 };
 
+/// A part of a drawing: left and upper edge, width and height, pixels.
+struct DrawnPart {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
 /// Makes a camera's pictures of drawn ones, which know neither its lens' distortion nor a sensor:
 /// drawings at `scale` times the size are bent, reduced and summed up as light, several for one
 /// picture where things move while the shutter is open. Pure computation. Threads: one.
@@ -32,6 +40,11 @@ class FilmedPicture {
 
     /// Adds a drawing to the light so far: drawing().width x height x 4 bytes RGBA, gamma 2.2.
     void add(std::span<const std::uint8_t> rgba);
+    /// Sets a drawing of which others differ in a part only.
+    void set_still(std::span<const std::uint8_t> rgba);
+    /// The same as add(rgba) where the drawing is the still one beyond `part`, and quicker.
+    /// Precondition: set_still.
+    void add(std::span<const std::uint8_t> rgba, const DrawnPart& part);
     /// The picture of what was added since the last one, as sRGB with alpha 255. At least one.
     [[nodiscard]] const std::vector<std::uint8_t>& develop(const Sensor& sensor, Dice& dice);
 
@@ -47,11 +60,20 @@ class FilmedPicture {
     [[nodiscard]] Taps taps_between(double x, double y) const;
     [[nodiscard]] std::uint32_t nearest(double x, double y) const;
 
+    // A part of the picture; ends are beyond it.
+    struct Region {
+        int left, top, right, bottom;
+    };
+    [[nodiscard]] Region region_of(const DrawnPart& part) const;
+    void add_row(std::span<const std::uint8_t> rgba, int row, int left, int right);
+
+    capture::Lens lens_;
     render::PinholeView drawing_;
     double left_ = 0.0;  // the drawing's edges in the undistorted picture, pixels of the lens
     double top_ = 0.0;
     std::vector<Taps> taps_;    // by pixel
     std::vector<float> light_;  // by pixel: red, green, blue
+    std::vector<float> still_;  // light of the still drawing
     int added_ = 0;
     std::vector<std::uint8_t> picture_;
     std::vector<float> noise_;  // normal numbers, of which each picture takes others

@@ -116,7 +116,12 @@ ExitCode run_capture(const RunArguments& arguments) {
             continue;
         }
         const StepState state = state_of(step);
-        say(fmt::format("{}: {}", step.command, words_of(state)));
+        // Paths among the arguments are known.
+        const bool has_flag = step.arguments.size() == 1;
+        say(fmt::format("{}{}: {}",
+                        step.command,
+                        has_flag ? " " + step.arguments.front() : "",
+                        words_of(state)));
         if (state == StepState::up_to_date || state == StepState::given) {
             continue;
         }

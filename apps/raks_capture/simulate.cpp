@@ -6,17 +6,20 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/clips/clip_reading.hpp"
+#include "apps/clips/body_options.hpp"
+#include "apps/raks_capture/calibration_choices.hpp"
 #include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/drawn_boards.hpp"
 #include "apps/raks_capture/drawn_films.hpp"
+#include "apps/raks_capture/filmed_motion.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/audio_file.hpp"
+#include "base/dice.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/studio/point_studio.hpp"
-#include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 
 #include <glm/geometric.hpp>
@@ -31,78 +34,26 @@ struct SimulateArguments {
     Path rig;      ///< empty: the studio's
     Path markers;  ///< empty: the shipped set
     bool points = false;
-    bool is_draft = false;  ///< of the films
-    Path music;             ///< that sounds in the room; empty: none
-    bool unique = false;    ///< each marker has a colour of its own
-    int cameras = 6;        ///< of the studio's rig
-    double fps = 0.0;       ///< of the motion; 0: the file's
-    double rate = 0.0;      ///< of the cameras; 0: the motion's
-    double seconds = 0.0;   ///< of the motion to film; 0: all
-    double tempo = 1.0;     ///< how much faster than recorded the dance is danced
+    bool is_draft = false;      ///< of the films
+    bool is_rig_known = false;  ///< no calibration films
+    Path music;                 ///< that sounds in the room; empty: none
+    bool unique = false;        ///< each marker has a colour of its own
+    int cameras = 6;            ///< of the studio's rig
+    double fps = 0.0;           ///< of the motion; 0: the file's
+    double rate = 0.0;          ///< of the cameras; 0: the motion's
+    double seconds = 0.0;       ///< of the motion to film; 0: all
+    double tempo = 1.0;         ///< how much faster than recorded the dance is danced
     capture::StudioOptions studio;
     BodyArguments body;
+
+    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known; }
+    [[nodiscard]] bool has_sound() const { return !points && !music.empty(); }
 };
-
-/// The motion on the mannequin.
-struct FilmedMotion {
-    std::vector<motion::Pose> poses;
-    double frames_per_second = 0.0;
-};
-
-// The fastest of the ends of the limbs between two frames; metres a second.
-double fastest_end(const FilmedMotion& filmed, std::size_t frame) {
-    using motion::Bone;
-    const auto& skeleton = motion::mannequin_skeleton();
-    const motion::WorldPose before = motion::world_pose(skeleton, filmed.poses[frame - 1]);
-    const motion::WorldPose after = motion::world_pose(skeleton, filmed.poses[frame]);
-    double farthest = 0.0;
-    for (const Bone bone :
-         {Bone::left_hand, Bone::right_hand, Bone::left_foot, Bone::right_foot, Bone::head}) {
-        farthest = std::max(
-            farthest,
-            static_cast<double>(glm::distance(after.position(bone), before.position(bone))));
-    }
-    return farthest * filmed.frames_per_second;
-}
-
-// Many recordings begin with a T-pose that the dance leaves by a jump within a few frames, which no
-// dancer makes and no camera could follow: the pose behind it is held in its place.
-void hold_before_jump(FilmedMotion& filmed) {
-    constexpr double kLongest = 0.5;      // seconds
-    constexpr double kFastestHand = 7.0;  // metres a second
-    const auto last = std::min(filmed.poses.size() - 1,
-                               static_cast<std::size_t>(kLongest * filmed.frames_per_second));
-    std::size_t jump = 0;
-    for (std::size_t frame = 1; frame <= last; ++frame) {
-        jump = fastest_end(filmed, frame) > kFastestHand ? frame : jump;
-    }
-    std::fill_n(filmed.poses.begin(), jump, filmed.poses[jump]);
-}
-
-Expected<FilmedMotion> read_filmed_motion(const SimulateArguments& arguments) {
-    auto clip = motion::read_skeleton_motion(arguments.motion, clip_reading(arguments.fps));
-    if (!clip) {
-        return fail(std::move(clip.error()));
-    }
-    motion::RetargetOptions options;
-    options.body = arguments.body.options();
-    auto danced = motion::retarget(*clip, motion::mannequin_skeleton(), options);
-    if (!danced) {
-        return fail(std::move(danced.error()).in(arguments.motion.string()));
-    }
-    FilmedMotion filmed{std::move(danced->poses), danced->frames_per_second * arguments.tempo};
-    hold_before_jump(filmed);
-    if (arguments.seconds > 0.0) {
-        const auto count =
-            static_cast<std::size_t>(arguments.seconds * filmed.frames_per_second) + 1;
-        filmed.poses.resize(std::min(filmed.poses.size(), count));
-    }
-    return filmed;
-}
 
 Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
     if (arguments.rig.empty()) {
-        return capture::studio_rig(arguments.cameras);
+        return arguments.points ? capture::studio_rig(arguments.cameras)
+                                : capture::unlike_cameras_rig(arguments.cameras);
     }
     auto file = capture::read_rig(arguments.rig);
     if (!file) {
@@ -148,44 +99,103 @@ Expected<std::vector<float>> music_of(const SimulateArguments& arguments) {
     return std::move(music->samples);
 }
 
-std::string film_name(const capture::Camera& camera) { return camera.name + ".mp4"; }
+// How films are drawn, of the dance or of the board.
+DrawnFilmOptions film_options(const SimulateArguments& arguments,
+                              std::size_t cameras,
+                              ProgressLine& progress) {
+    DrawnFilmOptions options;
+    options.is_draft = arguments.is_draft;
+    options.seed = arguments.studio.seed;
+    options.tell_progress = [&progress, cameras](
+                                std::size_t camera, std::size_t done, std::size_t all) {
+        progress.show(
+            (static_cast<double>(camera) + static_cast<double>(done) / static_cast<double>(all)) /
+            static_cast<double>(cameras));
+    };
+    options.is_stop_requested = [] { return stop_signal().has_value(); };
+    return options;
+}
 
-// The films of all cameras, into the capture's folder.
-Expected<void> draw_take(const SimulateArguments& arguments,
-                         const Path& folder,
-                         const capture::StudioTake& take,
-                         const capture::StudioMotion& motion,
-                         const capture::Rig& rig,
-                         const capture::MarkerSet& markers) {
+// The films of the dance, of all cameras, into the capture's folder.
+Expected<void> draw_dance(const SimulateArguments& arguments,
+                          const Path& folder,
+                          const capture::StudioTake& take,
+                          const capture::StudioMotion& motion,
+                          const capture::Rig& rig,
+                          const capture::MarkerSet& markers) {
     const auto music = music_of(arguments);
     if (!music) {
         return fail(music.error());
     }
     ProgressLine progress("drawing films");
-    DrawnFilmOptions options;
+    DrawnFilmOptions options = film_options(arguments, rig.cameras.size(), progress);
     options.frames_per_second = take.truth.frames_per_second;
-    options.is_draft = arguments.is_draft;
     options.music = *music;
-    options.seed = arguments.studio.seed;
-    options.tell_progress = [&](std::size_t camera, std::size_t done, std::size_t all) {
-        progress.show(
-            (static_cast<double>(camera) + static_cast<double>(done) / static_cast<double>(all)) /
-            static_cast<double>(rig.cameras.size()));
-    };
-    options.is_stop_requested = [] { return stop_signal().has_value(); };
     const auto films = draw_films(motion, rig, markers, take.clocks, folder, options);
     return films ? Expected<void>{} : fail(films.error());
 }
 
-CapturePlan plan_of(const capture::Rig& rig, double frames_per_second, bool has_films) {
+// The clocks of the calibration films: other recordings of the same cameras, which run as fast or
+// slow as for the dance, and were started at other moments. The first camera's is that of all.
+std::vector<capture::Clock> board_clocks(const SimulateArguments& arguments,
+                                         const std::vector<capture::Clock>& clocks) {
+    Dice dice(arguments.studio.seed, 502);
+    std::vector<capture::Clock> others = clocks;
+    for (capture::Clock& clock : others) {
+        clock.offset = dice.uniform(-1.0, 1.0) * arguments.studio.clock_error;
+    }
+    others.front().offset = 0.0;
+    return others;
+}
+
+// The calibration films; when the board lies on the floor.
+Expected<double> draw_boards(const SimulateArguments& arguments,
+                             const Path& folder,
+                             const std::vector<capture::Clock>& clocks,
+                             const capture::Rig& rig,
+                             const capture::Board& board) {
+    constexpr double kRate = 5.0;  // the board is held still
+    ProgressLine progress("drawing calibration films");
+    DrawnFilmOptions options = film_options(arguments, rig.cameras.size(), progress);
+    options.frames_per_second = kRate;
+    const auto films = draw_board_films(rig, board, clocks, folder, options);
+    return films ? Expected<double>(films->floor) : fail(films.error());
+}
+
+// What the test studio shows to its cameras: so large that its markers can be read on the floor,
+// 4.5 m from cameras that look down on it by 20 to 30 degrees.
+capture::Board studio_board() {
+    capture::Board board;
+    board.square = 0.12;
+    board.marker = 0.09;
+    return board;
+}
+
+// Metres to the loudspeaker as one measures them, to the centimetre.
+double loudspeaker_distance(const capture::Camera& camera) {
+    return 0.01 *
+           std::round(100.0 * glm::distance(camera.centre(), DrawnFilmOptions{}.loudspeaker));
+}
+
+CapturePlan plan_of(const SimulateArguments& arguments,
+                    const capture::Rig& rig,
+                    double frames_per_second) {
     CapturePlan plan;
     plan.height = 1.714;  // the mannequin's
     plan.markers = "markers.toml";
     plan.frames_per_second = frames_per_second;
     plan.start = 0.0;
+    plan.board = studio_board();
     for (const capture::Camera& camera : rig.cameras) {
-        plan.cameras.push_back(
-            {camera.name, has_films ? Path(film_name(camera)) : Path(), {}, 0.0});
+        PlannedCamera planned{camera.name, {}, {}, 0.0};
+        if (!arguments.points) {
+            planned.film = camera.name + ".mp4";
+            planned.loudspeaker = loudspeaker_distance(camera);
+        }
+        if (arguments.has_board_films()) {
+            planned.calibration = camera.name + "_board.mp4";
+        }
+        plan.cameras.push_back(std::move(planned));
     }
     return plan;
 }
@@ -201,28 +211,37 @@ std::vector<capture::Clock> assumed_clocks(const std::vector<capture::Clock>& cl
     return assumed;
 }
 
-Expected<void> write_take(const Path& folder,
-                          const capture::StudioTake& take,
-                          const capture::Rig& rig,
-                          const capture::MarkerSet& markers,
-                          const FilmedMotion& filmed,
-                          bool has_films) {
-    const double rate = take.truth.frames_per_second;
-    const std::pair<const char*, std::string> files[] = {
-        {"capture.toml", capture_plan_text(plan_of(rig, rate, has_films))},
+// What is written as a text. What the capture has films to find from is not given, but true.
+std::vector<std::pair<std::string, std::string>> texts_of(const SimulateArguments& arguments,
+                                                          const capture::StudioTake& take,
+                                                          const capture::Rig& rig,
+                                                          const capture::MarkerSet& markers) {
+    std::vector<std::pair<std::string, std::string>> texts = {
         {"markers.toml", capture::marker_set_text(markers)},
-        {"rig.toml", capture::rig_text(rig)},
-        {"clocks.toml", capture::clocks_text(assumed_clocks(take.clocks))},
         {"labels.tsv", capture::labels_text(take.labels)},
-        // Of films it is to be found, and what would have been is true.
-        {has_films ? "truth/detections.csv" : "detections.csv",
+        {arguments.points ? "detections.csv" : "truth/detections.csv",
          capture::observations_text(take.seen)},
         {"truth/clocks.toml", capture::clocks_text(take.clocks)},
         {"truth/tracks.csv", capture::tracks_text(take.truth)},
         {"truth/rig.toml", capture::rig_text(rig)},
     };
+    if (!arguments.has_board_films()) {
+        texts.emplace_back("rig.toml", capture::rig_text(rig));
+    }
+    if (!arguments.has_sound()) {
+        texts.emplace_back("clocks.toml", capture::clocks_text(assumed_clocks(take.clocks)));
+    }
+    return texts;
+}
+
+Expected<void> write_take(const SimulateArguments& arguments,
+                          const Path& folder,
+                          const capture::StudioTake& take,
+                          const capture::Rig& rig,
+                          const capture::MarkerSet& markers,
+                          const FilmedMotion& filmed) {
     std::filesystem::create_directory(folder / "truth");
-    for (const auto& [name, text] : files) {
+    for (const auto& [name, text] : texts_of(arguments, take, rig, markers)) {
         if (auto written = write_file(folder / name, text); !written) {
             return written;
         }
@@ -232,7 +251,36 @@ Expected<void> write_take(const Path& folder,
         poses.push_back(
             motion::pose_between(filmed.poses, take.truth.time_of(i) * filmed.frames_per_second));
     }
-    return motion::write_bvh(folder / "truth/dance.bvh", motion::mannequin_skeleton(), poses, rate);
+    return motion::write_bvh(folder / "truth/dance.bvh",
+                             motion::mannequin_skeleton(),
+                             poses,
+                             take.truth.frames_per_second);
+}
+
+// What a capture consists of, with its films.
+Expected<void> write_plan(const SimulateArguments& arguments,
+                          const Path& folder,
+                          const capture::StudioTake& take,
+                          const capture::Rig& rig) {
+    const CapturePlan plan = plan_of(arguments, rig, take.truth.frames_per_second);
+    if (arguments.has_board_films()) {
+        const std::vector<capture::Clock> clocks = board_clocks(arguments, take.clocks);
+        const auto floor = draw_boards(arguments, folder, clocks, rig, plan.board);
+        if (!floor) {
+            return fail(floor.error());
+        }
+        CalibrationChoices choices;
+        choices.floor = *floor;
+        const std::pair<const char*, std::string> files[] = {
+            {"calibration.toml", calibration_choices_text(choices)},
+            {"truth/board_clocks.toml", capture::clocks_text(clocks)}};
+        for (const auto& [name, text] : files) {
+            if (auto written = write_file(folder / name, text); !written) {
+                return written;
+            }
+        }
+    }
+    return write_file(folder / "capture.toml", capture_plan_text(plan));
 }
 
 // The error to expect from where the cameras stand, by the formula, with as many views as see a
@@ -267,12 +315,17 @@ ExitCode simulate(const SimulateArguments& arguments) {
     if (!rig || !markers) {
         return fail(rig ? markers.error() : rig.error());
     }
-    const auto filmed = read_filmed_motion(arguments);
+    const auto filmed = read_filmed_motion(arguments.motion,
+                                           {.frames_per_second = arguments.fps,
+                                            .tempo = arguments.tempo,
+                                            .seconds = arguments.seconds,
+                                            .body = arguments.body.options()});
     if (!filmed) {
         return fail(filmed.error());
     }
     capture::StudioOptions options = arguments.studio;
     options.frames_per_second = arguments.rate > 0.0 ? arguments.rate : filmed->frames_per_second;
+    options.first_clock_is_true = !arguments.points;
     const capture::StudioMotion motion{
         motion::mannequin_skeleton(), filmed->poses, filmed->frames_per_second};
     const capture::StudioTake take = capture::film_points(motion, *rig, *markers, options);
@@ -280,16 +333,16 @@ ExitCode simulate(const SimulateArguments& arguments) {
     if (!folder) {
         return fail(std::move(folder.error()));
     }
-    if (auto written = write_take(folder->part(), take, *rig, *markers, *filmed, !arguments.points);
-        !written) {
-        return fail(std::move(written.error()));
+    auto made = write_take(arguments, folder->part(), take, *rig, *markers, *filmed);
+    if (made && !arguments.points) {
+        made = draw_dance(arguments, folder->part(), take, motion, *rig, *markers);
     }
-    if (!arguments.points) {
-        if (auto drawn = draw_take(arguments, folder->part(), take, motion, *rig, *markers);
-            !drawn) {
-            return stop_signal() ? ExitCode(exit_code_after_signals(kExitDone))
-                                 : fail(std::move(drawn.error()));
-        }
+    if (made) {
+        made = write_plan(arguments, folder->part(), take, *rig);
+    }
+    if (!made) {
+        return stop_signal() ? ExitCode(exit_code_after_signals(kExitDone))
+                             : fail(std::move(made.error()));
     }
     if (auto done = folder->commit(); !done) {
         return fail(std::move(done.error()));
@@ -307,6 +360,8 @@ void add_simulate(CommandTable& table) {
     app->add_option("-o,--out", arguments->output, "folder to make")->required();
     app->add_flag("--points", arguments->points, "points in pictures, without the pictures");
     app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
+    app->add_flag(
+        "--known-rig", arguments->is_rig_known, "draw no calibration films, give the rig");
     app->add_option("--music", arguments->music, "what sounds in the films; 48,000 Hz");
     app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
     app->add_option("--cameras", arguments->cameras, "how many the ring has")

@@ -28,16 +28,18 @@ struct SyncArguments {
     std::string music;
     std::string offsets;
     double within = std::numeric_limits<double>::infinity();
+    bool is_of_boards = false;  ///< the calibration films, not those of the dance
     bool as_json = false;
 };
 
 // The cameras of a capture that were filmed.
-std::vector<CameraSound> sounds_of(const CapturePlan& capture) {
+std::vector<CameraSound> sounds_of(const CapturePlan& capture, bool is_of_boards) {
     std::vector<CameraSound> cameras;
     for (const PlannedCamera& camera : capture.cameras) {
         CameraSound sound{camera.name, {}, std::nullopt};
-        if (!camera.film.empty()) {
-            sound.file = capture.file(camera.film).lexically_normal();
+        const fs::path& film = is_of_boards ? camera.calibration : camera.film;
+        if (!film.empty()) {
+            sound.file = capture.file(film).lexically_normal();
         }
         if (camera.loudspeaker > 0.0) {
             sound.metres = camera.loudspeaker;
@@ -53,11 +55,11 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
         return fail(capture.error());
     }
     SyncPlan plan;
-    plan.cameras = sounds_of(*capture);
+    plan.cameras = sounds_of(*capture, arguments.is_of_boards);
     plan.start = capture->start;
     if (!arguments.music.empty()) {
         plan.music = arguments.music;
-    } else if (!capture->music.empty()) {
+    } else if (!capture->music.empty() && !arguments.is_of_boards) {
         plan.music = capture->file(capture->music).lexically_normal();
     }
     if (!arguments.offsets.empty()) {
@@ -77,9 +79,13 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
 }
 
 // The clocks of the cameras, and that of the song.
-Expected<void> write_clocks(const fs::path& folder,
+Expected<void> write_clocks(const SyncArguments& arguments,
                             const SyncResult& result,
                             const SyncPlan& plan) {
+    const fs::path folder(arguments.folder);
+    if (arguments.is_of_boards) {
+        return write_file(folder / "board_clocks.toml", capture::clocks_text(result.clocks()));
+    }
     auto written = write_file(folder / "clocks.toml", capture::clocks_text(result.clocks()));
     if (written && result.song) {
         written = write_file(folder / "music.toml", music_text(*result.song, plan));
@@ -110,10 +116,11 @@ ExitCode run_sync(const SyncArguments& arguments) {
         say(warning);
     }
     if (result->clocks().empty()) {
-        return fail(arguments.folder + ": no camera's clock could be told; see above");
+        return fail(arguments.folder +
+                    ": no camera's clock could be told; see above, or set them by "
+                    "hand with --offsets");
     }
-    const fs::path folder(arguments.folder);
-    if (auto written = write_clocks(folder, *result, *plan); !written) {
+    if (auto written = write_clocks(arguments, *result, *plan); !written) {
         return fail(std::move(written.error()));
     }
     if (arguments.as_json) {
@@ -134,6 +141,7 @@ void add_sync(CommandTable& table) {
     app->add_option("--offsets", a->offsets, "clocks set by hand (clocks.toml)");
     app->add_option("--within", a->within, "seconds within which all cameras were started")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
+    app->add_flag("--boards", a->is_of_boards, "of the calibration films, for calibrate");
     app->add_flag("--json", a->as_json, "print JSON");
 }
 

@@ -1,11 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/expected.hpp"
 
 namespace raks::render {
+
+/// A part of a framebuffer: left and lower edge, width and height, pixels.
+struct PixelBox {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
 
 /// Where to draw: a rectangle of a framebuffer object of the current context. 0 is the window.
 /// The origin is the lower left corner, in pixels.
@@ -20,6 +29,9 @@ struct FrameTarget {
     int width = 0;
     /// As width.
     int height = 0;
+    /// Of the framebuffer, within the rectangle: nothing else is drawn or cleared, and what is
+    /// drawn is as in the whole picture. None: all of the rectangle.
+    std::optional<PixelBox> part{};
 };
 
 /// Reads a rectangle back as RGBA, 8 bits each, top row first, rows without gaps. Waits until it is

@@ -33,7 +33,11 @@ class CaptureSteps : public ::testing::Test {
     [[nodiscard]] StepState state(const std::string& command) const {
         const auto steps = capture_steps(plan_);
         const auto found = std::find_if(steps.begin(), steps.end(), [&command](const auto& step) {
-            return step.command == command;
+            std::string words = step.command;
+            if (step.arguments == std::vector<std::string>{"--boards"}) {
+                words += " --boards";
+            }
+            return words == command;
         });
         return state_of(*found);
     }
@@ -101,6 +105,22 @@ TEST_F(CaptureSteps, take_the_clocks_of_films_that_show_board_and_dance) {
     put("rig.toml", 1);
     put("clocks.toml", 2);
     EXPECT_EQ(state("calibrate"), StepState::outdated);
+}
+
+TEST_F(CaptureSteps, tell_the_clocks_of_calibration_films_before_they_are_calibrated_with) {
+    for (PlannedCamera& camera : plan_.cameras) {
+        camera.calibration = camera.name + "_board.mp4";
+    }
+    const auto steps = capture_steps(plan_);
+    EXPECT_EQ(steps[0].command, "sync");
+    EXPECT_EQ(steps[1].command, "calibrate");
+    EXPECT_EQ(state("sync --boards"), StepState::missing);
+    put("rig.toml", 1);
+    put("board_clocks.toml", 2);
+    EXPECT_EQ(state("calibrate"), StepState::outdated);
+    // Folders of pictures have no sound.
+    fs::create_directory(plan_.file("left_board.mp4"));
+    EXPECT_EQ(capture_steps(plan_)[0].command, "calibrate");
 }
 
 TEST_F(CaptureSteps, hear_the_song_beside_the_films) {

@@ -128,7 +128,22 @@ std::vector<Clock> draw_clocks(const Rig& rig, const StudioOptions& options) {
                           dice.uniform(-1.0, 1.0) * options.drift_ppm,
                           1.0});
     }
+    if (options.first_clock_is_true) {
+        clocks.front() = {rig.cameras.front().name, 0.0, 0.0, 1.0};
+    }
     return clocks;
+}
+
+// A camera of a ring that looks at the dancer.
+Camera on_circle(int index, int cameras, const Lens& lens) {
+    constexpr double kTurn = 6.283185307179586;
+    constexpr double kDistance = 4.0;
+    const double angle = kTurn * (index + 0.5) / cameras;
+    return looking_at(
+        "cam" + std::to_string(index + 1),
+        lens,
+        {kDistance * std::sin(angle), index % 2 == 0 ? 1.55 : 2.25, kDistance * std::cos(angle)},
+        {0.0, 0.95, 0.0});
 }
 
 std::size_t picture_count(const StudioMotion& motion, double rate) {
@@ -248,18 +263,27 @@ StudioTake film_points(const StudioMotion& motion,
 }
 
 Rig studio_rig(int cameras, int width, int height) {
-    constexpr double kTurn = 6.283185307179586;
-    constexpr double kDistance = 4.0;
     const double f = 600.0 / 640.0 * width;
     const Lens lens{width, height, f, f, 0.5 * (width - 1), 0.5 * (height - 1), {}};
     Rig rig;
     for (int i = 0; i < cameras; ++i) {
-        const double angle = kTurn * (i + 0.5) / cameras;
-        rig.cameras.push_back(looking_at(
-            "cam" + std::to_string(i + 1),
-            lens,
-            {kDistance * std::sin(angle), i % 2 == 0 ? 1.55 : 2.25, kDistance * std::cos(angle)},
-            {0.0, 0.95, 0.0}));
+        rig.cameras.push_back(on_circle(i, cameras, lens));
+    }
+    return rig;
+}
+
+Rig unlike_cameras_rig(int cameras, int width, int height) {
+    Rig rig;
+    for (int i = 0; i < cameras; ++i) {
+        const double f = 950.0 / 1280.0 * width * (1.0 + 0.04 * std::sin(2.1 * i + 0.7));
+        Lens lens{width, height, f, f, 0.5 * (width - 1), 0.5 * (height - 1), {}};
+        lens.cx += 0.006 * width * std::sin(1.3 * i + 0.4);
+        lens.cy += 0.006 * width * std::cos(2.3 * i);
+        lens.distortion = {-0.09 + 0.03 * std::cos(1.7 * i),
+                           0.02 * std::sin(0.9 * i + 1.0),
+                           0.0006 * std::sin(3.1 * i),
+                           0.0006 * std::cos(1.9 * i)};
+        rig.cameras.push_back(on_circle(i, cameras, lens));
     }
     return rig;
 }

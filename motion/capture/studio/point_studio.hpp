@@ -31,6 +31,8 @@ struct StudioOptions {
     double merge = 3.0;               ///< detections of a colour nearer than this are one; pixels
     double clock_error = 0.0;         ///< each clock's offset is drawn within +- this; seconds
     double drift_ppm = 0.0;           ///< each clock's drift is drawn within +- this
+    /// The capture's clock is that of the first camera, as a synchronisation by sound has it.
+    bool first_clock_is_true = false;
     std::uint64_t seed = 1;           ///< of everything that is drawn
 };
 
@@ -57,5 +59,9 @@ struct StudioTake {
 /// Six cameras on a circle of 4 m around the dancer, in turn 1.55 and 2.25 m high, that look at
 /// 0.95 m: f 600 pixels at 640 x 480, and in proportion at other widths.
 [[nodiscard]] Rig studio_rig(int cameras = 6, int width = 640, int height = 480);
+
+/// The same circle with cameras as one has them, no two alike: f 950 pixels at 1280 wide, give or
+/// take 4 %, principal points some pixels off the middle, lenses that bend by some per cent.
+[[nodiscard]] Rig unlike_cameras_rig(int cameras = 6, int width = 1280, int height = 720);
 
 }  // namespace raks::capture
