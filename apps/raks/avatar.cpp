@@ -70,7 +70,7 @@ Expected<void> write_thumbnail(const AvatarShowArguments& arguments, render::Mod
     if (render::missing_bones(figure.model.character.humanoid).empty()) {
         figure.options = engine::stand_model(figure.model, arguments.options.height);
     } else {
-        stand_thing(figure);
+        figure.options = engine::stand_thing(figure.model);
     }
     const auto loaded = engine::make_avatar(figure, arguments.model);
     const render::Avatar& avatar = *loaded.avatar;

@@ -108,25 +108,6 @@ render::Camera portrait_camera(const engine::AvatarModel& figure, const render::
     return camera;
 }
 
-void stand_thing(engine::AvatarModel& thing) {
-    const auto box = render::rest_box(thing.model);
-    if (!box) {
-        return;
-    }
-    const glm::vec3 size = box->high - box->low;
-    const float largest = std::max({size.x, size.y, size.z});
-    if (!(largest > 0.0F && std::isfinite(largest))) {
-        return;
-    }
-    constexpr float kFigure = 1.7F;  // metres
-    thing.options.scale = kFigure / largest;
-    const glm::vec3 middle(
-        0.5F * (box->low.x + box->high.x), box->low.y, 0.5F * (box->low.z + box->high.z));
-    for (const int root : thing.model.roots) {
-        thing.model.nodes[static_cast<std::size_t>(root)].translation -= middle;
-    }
-}
-
 Expected<void> write_avatar_picture(const std::filesystem::path& output,
                                     const render::Avatar& avatar,
                                     const motion::Pose& pose,

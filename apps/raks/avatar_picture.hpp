@@ -39,7 +39,4 @@ struct AvatarPicture {
                                                   const render::RigState& state,
                                                   const AvatarPicture& picture);
 
-/// Puts what is no figure on the floor in the middle, as large as a figure: its unit may be any.
-void stand_thing(engine::AvatarModel& thing);
-
 }  // namespace raks::apps

@@ -104,6 +104,22 @@ struct AvatarExportArguments {
 /// nor licence in it or given; the output's ending.
 [[nodiscard]] ExitCode avatar_export(const AvatarExportArguments& arguments);
 
+/// Arguments of `raks xbody`.
+struct XbodyArguments {
+    std::string model;              ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;  ///< of its file
+    std::string motion;             ///< clip: FILE, or FILE#NAME; empty: none
+    JointArguments joints;          ///< which joint of the clip is which bone
+    std::size_t frame = 0;          ///< of the clip
+    std::string view = "front";     ///< or side, back, top
+    std::string size = "960x720";   ///< of the picture
+    bool has_names = false;         ///< beside the bones
+    Path output;                    ///< .png
+};
+/// Draws a model with its bones over it. Errors: no such model or clip; those of reading them, of
+/// OpenGL and of the picture.
+[[nodiscard]] ExitCode xbody(const XbodyArguments& arguments);
+
 /// Arguments of `raks calibrate`.
 struct CalibrateArguments {
     engine::Settings settings;  ///< of the files and the options

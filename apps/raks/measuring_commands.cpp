@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -91,6 +92,29 @@ void add_avatar(RaksCommands& table) {
     show->add_flag("--json", s->as_json, "one JSON document");
     add_avatar_pose(table, *avatar);
     add_avatar_export(table, *avatar);
+}
+
+void add_xbody(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(), "xbody", "look at a model and its bones", xbody);
+    add_model_options(*app, a->model, a->options);
+    add_height_option(*app, a->options);
+    auto* const motion = app->add_option(
+        "--motion", a->motion, "clip: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...");
+    add_joint_options(*app, a->joints, "the clip", motion);
+    app->add_option_function<std::int64_t>(
+           "--frame",
+           [arguments = a](const std::int64_t& frame) {
+               arguments->frame = static_cast<std::size_t>(frame);
+           },
+           "of the clip, from 0")
+        // As a whole number with a sign: a negative frame is refused instead of wrapped around.
+        ->check(in_range<std::int64_t>(0, 1'000'000'000))
+        ->needs(motion);
+    app->add_option("--view", a->view, "front, side, back or top")
+        ->check(one_of({"front", "side", "back", "top"}));
+    app->add_option("--size", a->size, "of the picture, such as 1280x720");
+    app->add_flag("--names", a->has_names, "beside the bones");
+    app->add_option("-o,--out", a->output, "X.png: a picture")->required();
 }
 
 void add_calibrate(RaksCommands& table) {
@@ -239,6 +263,7 @@ void add_bench(RaksCommands& table) {
 void add_measuring_commands(RaksCommands& table) {
     add_devices(table);
     add_avatar(table);
+    add_xbody(table);
     add_calibrate(table);
     add_analyze(table);
     add_eval(table);

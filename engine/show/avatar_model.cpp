@@ -7,7 +7,6 @@
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "engine/show/standing_model.hpp"
-#include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 
@@ -18,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestLabels = std::size_t{1} << 20U;  // bytes
 
+}  // namespace
+
 Expected<render::BoneLabels> load_labels(const fs::path& file) {
     const auto text = read_text_file(file, kLargestLabels);
     if (!text) {
@@ -25,8 +26,6 @@ Expected<render::BoneLabels> load_labels(const fs::path& file) {
     }
     return render::read_bone_labels(*text, printable(file.string()));
 }
-
-}  // namespace
 
 Expected<void> find_bones(render::Model& model, const fs::path& labels) {
     if (labels.empty()) {

@@ -6,6 +6,7 @@
 
 #include "base/expected.hpp"
 #include "render/avatar/avatar_rig.hpp"
+#include "render/import/humanoid_labels.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::engine {
@@ -17,6 +18,10 @@ struct AvatarOptions {
     /// A label file (render::BoneLabels); empty: the one beside the model, if there is one.
     std::filesystem::path labels;
 };
+
+/// Reads a label file. Errors: those of the file and of render::read_bone_labels. Threads: workers.
+/// Real-time: no.
+[[nodiscard]] Expected<render::BoneLabels> load_labels(const std::filesystem::path& file);
 
 /// Finds the bones of a model: those that it names itself, else by the label file, by names and by
 /// shape. A label file that is not needed is said in a warning of the model. Errors: those of the

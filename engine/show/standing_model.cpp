@@ -1,11 +1,13 @@
 #include "engine/show/standing_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "render/avatar/joint_tree.hpp"
 #include "render/import/standing_figure.hpp"
+#include "render/model/model_survey.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -109,6 +111,24 @@ render::RigOptions stand_model(Model& model, std::optional<float> height) {
     model.character.faces_minus_z = false;  // `world` is turned already
     options.t_pose = t_pose_of(model, figure, order);
     return options;
+}
+
+render::RigOptions stand_thing(Model& model) {
+    const auto box = render::rest_box(model);
+    if (!box) {
+        return {};
+    }
+    const glm::vec3 size = box->high - box->low;
+    const float largest = std::max({size.x, size.y, size.z});
+    if (!(largest > 0.0F && std::isfinite(largest))) {
+        return {};
+    }
+    const glm::vec3 middle(
+        0.5F * (box->low.x + box->high.x), box->low.y, 0.5F * (box->low.z + box->high.z));
+    for (const int root : model.roots) {
+        model.nodes[static_cast<std::size_t>(root)].translation -= middle;
+    }
+    return {.scale = render::kUsualHeight / largest, .t_pose = {}};
 }
 
 }  // namespace raks::engine

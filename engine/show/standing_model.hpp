@@ -12,4 +12,8 @@ namespace raks::engine {
 /// T-pose for the rig. `height`: as for stand_up. Threads: any. Real-time: no.
 [[nodiscard]] render::RigOptions stand_model(render::Model& model, std::optional<float> height);
 
+/// Puts a model that is no figure on the floor in the middle, as large as a figure: its unit may be
+/// any. Returns the size for the rig. Threads: any. Real-time: no.
+[[nodiscard]] render::RigOptions stand_thing(render::Model& model);
+
 }  // namespace raks::engine

@@ -193,13 +193,11 @@ std::string_view words_of(BoneReason reason) noexcept {
     return kWords[static_cast<std::size_t>(reason)];
 }
 
-Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
-    HumanoidMap& humanoid = model.character.humanoid;
-    if (humanoid.nodes[0] >= 0) {
-        return {};
+HumanoidMap look_for_bones(Model& model, const BoneLabels* labels) {
+    if (model.character.humanoid.nodes[0] >= 0) {
+        return model.character.humanoid;
     }
     const std::vector<glm::mat4> world = bind_world(model);
-    const std::vector<glm::vec3> places = places_of(world);
     HumanoidMap map;
     if (labels != nullptr) {
         map = map_by_labels(model, *labels);
@@ -212,15 +210,25 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
     map.right_eye = named.right_eye;
     map.jaw = named.jaw;
     if (!has_all_bones(map)) {
-        const HumanoidMap shaped = map_by_shape(model, places);
+        const HumanoidMap shaped = map_by_shape(model, places_of(world));
         const bool is_same = map.nodes[0] < 0 || map.nodes[0] == shaped.nodes[0];
         fill(map, shaped, is_same ? std::span<const Bone>(all) : kRequiredBones);
     }
     drop_upside_down(model, map);
+    return map;
+}
+
+Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
+    HumanoidMap& humanoid = model.character.humanoid;
+    if (humanoid.nodes[0] >= 0) {
+        return {};
+    }
+    HumanoidMap map = look_for_bones(model, labels);
     if (!missing_bones(map).empty()) {
         return refuse_without(map);
     }
-    if (trunk_lean(map, places) > kMostLean) {
+    const std::vector<glm::mat4> world = bind_world(model);
+    if (trunk_lean(map, places_of(world)) > kMostLean) {
         return fail("it does not stand upright: no figure on two legs");
     }
     check_sides(model, map, world);

@@ -51,6 +51,10 @@ inline constexpr std::array<motion::Bone, 6> kRequiredParts = {
 /// How a bone was found, in words: "named in the file".
 [[nodiscard]] std::string_view words_of(BoneReason reason) noexcept;
 
+/// What map_humanoid finds, also where it is no whole figure: sides as they are named,
+/// `missing_bones` may be left. Warnings as there. Threads: workers. Real-time: no.
+[[nodiscard]] HumanoidMap look_for_bones(Model& model, const BoneLabels* labels = nullptr);
+
 /// Finds the bones of a model that does not name them itself, and writes them to
 /// Model::character.humanoid: by `labels` where they are given, else by names, and what those
 /// leave open by shape. Checked against the places of the bones always: a left that lies right is

@@ -42,12 +42,12 @@ class BoxMaker {
         box_.high = is_empty_ ? point : glm::max(box_.high, point);
         is_empty_ = false;
     }
-    [[nodiscard]] std::optional<Box> box() const {
+    [[nodiscard]] std::optional<ModelBox> box() const {
         return is_empty_ ? std::nullopt : std::optional(box_);
     }
 
  private:
-    Box box_;
+    ModelBox box_;
     bool is_empty_ = true;
 };
 
@@ -180,7 +180,7 @@ std::vector<glm::mat4> rest_world(const Model& model) {
     return world;
 }
 
-std::optional<Box> rest_box(const Model& model) {
+std::optional<ModelBox> rest_box(const Model& model) {
     const std::vector<glm::mat4> world = rest_world(model);
     BoxMaker box;
     for (const int index : shown_nodes(model)) {

@@ -18,14 +18,14 @@ namespace raks::render {
 [[nodiscard]] std::vector<glm::mat4> rest_world(const Model& model);
 
 /// A box along the axes.
-struct Box {
+struct ModelBox {
     glm::vec3 low{0.0F};
     glm::vec3 high{0.0F};
 };
 
 /// Box around all triangles of the scene in the rest pose, skins applied; none: there are none.
 /// Threads: any. Real-time: no.
-[[nodiscard]] std::optional<Box> rest_box(const Model& model);
+[[nodiscard]] std::optional<ModelBox> rest_box(const Model& model);
 
 /// Counts are those of the file.
 struct ModelSurvey {
@@ -47,7 +47,7 @@ struct ModelSurvey {
     /// The farthest that a joint's place differs between the rest and the bind pose, metres of the
     /// file; none: no skin says its bind pose.
     std::optional<float> rest_minus_bind;
-    std::optional<Box> box;
+    std::optional<ModelBox> box;
     /// Where the figure looks in the rest pose, and where its left foot points: "+Z", and the
     /// cosine where it is far from the axis: "-X(0.76)". Empty: not known.
     std::string facing;

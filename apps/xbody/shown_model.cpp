@@ -1,0 +1,186 @@
+#include "apps/xbody/shown_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/printable.hpp"
+#include "engine/show/avatar_files.hpp"
+#include "engine/show/loaded_avatar.hpp"
+#include "engine/show/standing_model.hpp"
+#include "render/import/humanoid_map.hpp"
+#include "render/import/model_reader.hpp"
+#include "render/model/model_survey.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kUsualRate = 60.0;  // frames a second
+
+/// The eight corners of a box.
+std::vector<glm::vec3> corners_of(const glm::vec3& low, const glm::vec3& high) {
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back((i & 1) != 0 ? high.x : low.x,
+                             (i & 2) != 0 ? high.y : low.y,
+                             (i & 4) != 0 ? high.z : low.z);
+    }
+    return corners;
+}
+
+Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
+    const fs::path found = engine::find_labels(plan.file, plan.options.labels);
+    if (found.empty()) {
+        shown.labels_file = plan.file;
+        shown.labels_file.replace_extension(".labels.toml");
+        return {};
+    }
+    shown.labels_file = found;
+    auto labels = engine::load_labels(found);
+    if (!labels) {
+        return fail(std::move(labels.error()));
+    }
+    shown.labels = std::move(*labels);
+    return {};
+}
+
+Expected<void> load_clip(const ShownModelPlan& plan, ShownModel& shown) {
+    if (plan.motion.empty()) {
+        return {};
+    }
+    const std::string missing = render::missing_bones(shown.figure.model.character.humanoid);
+    if (!missing.empty()) {
+        return fail(fmt::format("{}: no figure that can move: it lacks {}; label them first",
+                                printable(plan.file.string()),
+                                missing));
+    }
+    auto clip = engine::AvatarClip::load(plan.motion,
+                                         shown.avatar->skeleton.offsets[0],
+                                         {plan.file, plan.options.labels, plan.joints});
+    if (!clip) {
+        return fail(std::move(clip.error()));
+    }
+    shown.clip = std::move(*clip);
+    return {};
+}
+
+// Turns what is no figure into something that can be looked at, and a figure into what dances.
+void stand(const ShownModelPlan& plan, ShownModel& shown) {
+    render::Model& model = shown.figure.model;
+    const auto mapped = render::map_humanoid(model, shown.labels ? &*shown.labels : nullptr);
+    if (!mapped) {
+        model.warnings.push_back("it cannot dance: " + mapped.error().message);
+    }
+    shown.figure.options = render::missing_bones(model.character.humanoid).empty()
+                               ? engine::stand_model(model, plan.options.height)
+                               : engine::stand_thing(model);
+    auto loaded = engine::make_avatar(shown.figure, plan.file.filename().string());
+    shown.avatar = std::move(loaded.avatar);
+    shown.notes = std::move(loaded.warnings);
+}
+
+}  // namespace
+
+std::size_t ShownModel::frame_count() const {
+    constexpr double kSlack = 1e-3;  // of a frame: clips have their times as floats
+    constexpr double kMost = 1e7;
+    return clip ? 1 + static_cast<std::size_t>(
+                          std::clamp(clip->duration() * clip->rate() + kSlack, 0.0, kMost))
+                : 1;
+}
+
+double ShownModel::rate() const { return clip ? clip->rate() : kUsualRate; }
+
+Expected<ShownModel> load_shown_model(const ShownModelPlan& plan) {
+    auto model = render::load_model(plan.file);
+    if (!model) {
+        return fail(std::move(model.error()));
+    }
+    if (model->meshes.empty() && model->nodes.empty()) {
+        return fail(printable(plan.file.string()) + ": there is nothing in it to show");
+    }
+    ShownModel shown;
+    shown.file = plan.file;
+    if (auto read = read_labels(plan, shown); !read) {
+        return fail(std::move(read.error()));
+    }
+    shown.as_read = *model;
+    shown.figure.model = std::move(*model);
+    stand(plan, shown);
+    if (auto loaded = load_clip(plan, shown); !loaded) {
+        return fail(std::move(loaded.error()));
+    }
+    return shown;
+}
+
+ShownPose::ShownPose(const ShownModel& model) : state(*model.avatar->rig) {
+    show_frame(model, 0, *this);
+}
+
+void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown) {
+    const double seconds =
+        static_cast<double>(std::min(frame, model.frame_count() - 1)) / model.rate();
+    if (model.clip) {
+        shown.pose = model.clip->pose_at(seconds);
+    } else {
+        shown.pose = {};
+        shown.pose.hips_position = model.avatar->skeleton.offsets[0];
+    }
+    const render::Face face =
+        model.clip ? model.clip->face_at(seconds).value_or(render::Face()) : render::Face();
+    render::pose_avatar(*model.avatar->rig, shown.pose, face, 1.0F, shown.state);
+}
+
+render::Camera camera_before(render::Camera camera,
+                             const std::vector<glm::vec3>& points,
+                             float aspect) {
+    constexpr float kMargin = 1.08F;
+    glm::vec3 low = points.front();
+    glm::vec3 high = points.front();
+    for (const glm::vec3& point : points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    camera.target = 0.5F * (low + high);
+    const glm::mat4 view = camera.view_from_world();
+    const glm::mat4 clip = camera.clip_from_view(aspect);
+    float distance = render::Camera::kMinDistance;
+    for (const glm::vec3& point : points) {
+        const glm::vec3 seen(view * glm::vec4(point, 1.0F));
+        const float nearer = seen.z + camera.distance;
+        distance = std::max(distance,
+                            nearer + kMargin * std::max(std::abs(seen.x) * clip[0][0],
+                                                        std::abs(seen.y) * clip[1][1]));
+    }
+    camera.distance = std::min(distance, render::Camera::kMaxDistance);
+    return camera;
+}
+
+render::Camera camera_before(const ShownModel& model,
+                             const ShownPose& shown,
+                             std::string_view view,
+                             float aspect) {
+    render::Camera camera =
+        render::find_camera(view).value_or(render::find_camera("front").value_or(render::Camera{}));
+    camera.pitch = view == "top" ? render::Camera::kMaxPitch : render::Camera::kMinPitch;
+    std::vector<glm::vec3> points;
+    for (const glm::mat4& joint : shown.state.joints.world) {
+        points.emplace_back(joint[3]);
+    }
+    if (const auto box = render::rest_box(model.figure.model)) {
+        // Where the body is now, as large as at rest.
+        const float scale = model.figure.options.scale;
+        const float turned = model.figure.model.character.faces_minus_z ? -1.0F : 1.0F;
+        const glm::vec3 size(turned * scale, scale, turned * scale);
+        const glm::vec3 moved = shown.pose.hips_position - model.avatar->skeleton.offsets[0];
+        const auto corners = corners_of(box->low * size + moved, box->high * size + moved);
+        points.insert(points.end(), corners.begin(), corners.end());
+    }
+    return points.empty() ? camera : camera_before(camera, points, aspect);
+}
+
+}  // namespace raks::apps
