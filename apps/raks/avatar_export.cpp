@@ -7,6 +7,8 @@
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "engine/show/given_away.hpp"
+#include "render/avatar/avatar_rig.hpp"
+#include "render/avatar/posed_text.hpp"
 #include "render/export/glb_writer.hpp"
 #include "render/export/vrm_writer.hpp"
 #include "render/import/model_reader.hpp"
@@ -39,18 +41,42 @@ Expected<void> complete_licence(const AvatarExportArguments& arguments, render::
     return {};
 }
 
+/// The model that is meant, in the way that its format has figures.
+Expected<render::Model> model_of(const AvatarExportArguments& arguments, const Path& file) {
+    if (file.empty()) {
+        return engine::mannequin_to_give_away();
+    }
+    return arguments.output.extension() == ".vrm"
+               ? engine::load_to_give_away(file, arguments.options)
+               : render::load_model(file);
+}
+
+/// Its mesh at rest; its materials go into a file beside it.
+Expected<std::string> obj_of(const render::Model& model, const Path& output) {
+    Path materials = output;
+    materials.replace_extension(".mtl");
+    if (auto written = write_file(materials, render::mtl_text(model)); !written) {
+        return fail(written.error());
+    }
+    const render::AvatarRig rig = render::build_rig(model);
+    return render::obj_text(
+        model, rig, render::RigState(rig), model.name, materials.filename().string());
+}
+
 Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Path& file) {
-    const bool is_vrm = arguments.output.extension() == ".vrm";
-    auto model =
-        is_vrm ? engine::load_to_give_away(file, arguments.options) : render::load_model(file);
+    auto model = model_of(arguments, file);
     if (!model) {
         return fail(model.error());
     }
-    const std::string shown = printable(file.string());
+    const std::string shown = printable(file.empty() ? arguments.model : file.string());
     for (const std::string& warning : model->warnings) {
         say(fmt::format("{}: {}", shown, warning));
     }
-    if (!is_vrm) {
+    const std::string ending = arguments.output.extension().string();
+    if (ending == ".obj") {
+        return obj_of(*model, arguments.output);
+    }
+    if (ending == ".glb") {
         return render::glb_bytes(*model);
     }
     if (auto complete = complete_licence(arguments, *model); !complete) {
@@ -64,16 +90,13 @@ Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Pat
 
 ExitCode avatar_export(const AvatarExportArguments& arguments) {
     const std::string ending = arguments.output.extension().string();
-    if (ending != ".vrm" && ending != ".glb") {
-        return fail(fmt::format("{}: an avatar is exported as .vrm or .glb",
+    if (ending != ".vrm" && ending != ".glb" && ending != ".obj") {
+        return fail(fmt::format("{}: an avatar is exported as .vrm, .glb or .obj",
                                 printable(arguments.output.string())));
     }
     const auto file = engine::find_avatar(arguments.model);
     if (!file) {
         return fail(file.error());
-    }
-    if (file->empty()) {
-        return fail("the mannequin cannot be exported yet; name a file");
     }
     if (auto possible = check_output(arguments.output, {*file}); !possible) {
         return fail(possible.error());

@@ -93,15 +93,16 @@ struct AvatarPoseArguments {
 
 /// Arguments of `raks avatar export`.
 struct AvatarExportArguments {
-    std::string model;                 ///< file, or a name of `raks avatar list`
+    std::string model = "mannequin";   ///< file, or a name of `raks avatar list`
     engine::AvatarOptions options;     ///< of its file
     std::string title;                 ///< empty: the file's own, else its name
     std::vector<std::string> authors;  ///< empty: the file's own
     std::string licence;               ///< in words, or its address; empty: the file's own
-    Path output;                       ///< .vrm or .glb
+    Path output;                       ///< .vrm, .glb or .obj
 };
-/// Writes a model as VRM 1.0 or as binary glTF. Errors: no model; as VRM: no figure, neither author
-/// nor licence in it or given; the output's ending.
+/// Writes a model as VRM 1.0, as binary glTF, or its mesh at rest as OBJ with its materials beside
+/// it. Errors: no model; as VRM: no figure, neither author nor licence in it or given; the output's
+/// ending.
 [[nodiscard]] ExitCode avatar_export(const AvatarExportArguments& arguments);
 
 /// Arguments of `raks xbody`.

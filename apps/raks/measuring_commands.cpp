@@ -66,9 +66,11 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
 }
 
 void add_avatar_export(RaksCommands& table, CLI::App& avatar) {
-    auto [app, a] = table.add(avatar, "export", "write a model as VRM 1.0 or GLB", avatar_export);
-    app->add_option("output", a->output, "X.vrm or X.glb")->required();
-    app->add_option("--from", a->model, "file, or name of one of `raks avatar list`")->required();
+    auto [app, a] =
+        table.add(avatar, "export", "write a model as VRM 1.0, GLB or OBJ", avatar_export);
+    app->add_option("output", a->output, "X.vrm, X.glb or X.obj")->required();
+    app->add_option(
+        "--from", a->model, "file, or name of one of `raks avatar list`; else the mannequin");
     app->add_option("--labels", a->options.labels, "file that says which nodes are its bones");
     add_height_option(*app, a->options);
     app->add_option("--title", a->title, "what it is called; else as its file has it");

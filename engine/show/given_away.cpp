@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "render/dress.hpp"
 #include "render/export/scaled_model.hpp"
+#include "render/mannequin/mannequin_model.hpp"
+#include "render/scene/scene.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -73,6 +76,17 @@ Expected<Model> load_to_give_away(const std::filesystem::path& file, const Avata
     make_tails(model);
     render::scale_model(model, loaded->options.scale);
     return std::move(model);
+}
+
+Model mannequin_to_give_away() {
+    render::Scene scene;
+    scene.dress = render::Dress::dancer;
+    const render::DressColours dress = render::dress_colours(scene, 0);
+    render::PaintColours colours{};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        colours[i] = glm::vec3(dress.colours[i]);
+    }
+    return render::mannequin_model(colours);
 }
 
 }  // namespace raks::engine

@@ -15,4 +15,7 @@ namespace raks::engine {
 [[nodiscard]] Expected<render::Model> load_to_give_away(const std::filesystem::path& file,
                                                         const AvatarOptions& options);
 
+/// The mannequin in the first outfit of the stage. Threads: workers. Real-time: no (0.3 s).
+[[nodiscard]] render::Model mannequin_to_give_away();
+
 }  // namespace raks::engine

@@ -52,13 +52,43 @@ void add_faces(const ModelPrimitive& primitive, const Counts& before, std::strin
     }
 }
 
+/// A material's name without the spaces that would end it, and with its number: names may repeat.
+std::string name_of(const Model& model, int material) {
+    std::string name = model.materials[static_cast<std::size_t>(material)].name;
+    for (char& letter : name) {
+        const bool is_plain = (letter >= '0' && letter <= '9') ||
+                              (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+        letter = is_plain ? letter : '_';
+    }
+    return fmt::format("{}_{}", material, name);
+}
+
 }  // namespace
+
+std::string mtl_text(const Model& model) {
+    std::string text;
+    for (std::size_t i = 0; i < model.materials.size(); ++i) {
+        const glm::vec4& colour = model.materials[i].base_colour;
+        fmt::format_to(std::back_inserter(text),
+                       "newmtl {}\nKd {:.6f} {:.6f} {:.6f}\nd {:.6f}\nillum 1\n",
+                       name_of(model, static_cast<int>(i)),
+                       colour.r,
+                       colour.g,
+                       colour.b,
+                       colour.a);
+    }
+    return text;
+}
 
 std::string obj_text(const Model& model,
                      const AvatarRig& rig,
                      const RigState& state,
-                     const std::string& title) {
+                     const std::string& title,
+                     const std::string& materials) {
     std::string text = fmt::format("# {}\n", printable(title));
+    if (!materials.empty()) {
+        text += fmt::format("mtllib {}\n", materials);
+    }
     Counts counts;
     PosedVertices part;
     for (const int node : rig.tree.nodes) {
@@ -76,6 +106,9 @@ std::string obj_text(const Model& model,
             pose_vertices(primitive, morphs, matrices, part);
             fmt::format_to(
                 std::back_inserter(text), "o node{}.mesh{}.primitive{}\n", node, mesh, index++);
+            if (!materials.empty() && primitive.material >= 0) {
+                text += fmt::format("usemtl {}\n", name_of(model, primitive.material));
+            }
             add_vertices(part, text);
             add_faces(primitive, counts, text);
             counts.vertices += part.positions.size();

@@ -94,7 +94,22 @@ TEST_F(Avatar, is_exported_as_vrm_once_it_is_known_whose_work_it_is) {
     EXPECT_EQ(run({"avatar", "export", path("x.glb"), "--from", "figure"}).exit_code, 0);
     expect_one_line({"avatar", "export", path("x.3ds"), "--from", "figure"},
                     1,
-                    "x.3ds: an avatar is exported as .vrm or .glb");
+                    "x.3ds: an avatar is exported as .vrm, .glb or .obj");
+}
+
+TEST_F(Avatar, the_mannequin_is_exported_where_no_other_is_named) {
+    const std::string vrm = path("x.vrm");
+    EXPECT_EQ(run({"avatar", "export", vrm}).exit_code, 0);
+    const ProcessResult shown = run({"avatar", "show", vrm, "--json"});
+    ASSERT_EQ(shown.exit_code, 0) << shown.err;
+    const auto json = nlohmann::json::parse(shown.out);
+    EXPECT_EQ(json["format"], "VRM 1.0");
+    EXPECT_EQ(json["meta"]["title"], "Raks mannequin");
+    EXPECT_EQ(run({"avatar", "export", path("x.obj")}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(path("x.mtl")));
+    const auto mesh = read_text_file(path("x.obj"), std::size_t{64} << 20U);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    EXPECT_EQ(mesh->find("# Raks mannequin\nmtllib x.mtl\n"), 0U);
 }
 
 TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {

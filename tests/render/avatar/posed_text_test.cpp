@@ -47,6 +47,21 @@ TEST(PosedText, an_object_for_each_primitive_and_counts_that_go_on) {
               "f 4//1 5//2 6//3\n");
 }
 
+TEST(PosedText, materials_lie_in_a_file_beside_it_under_names_without_spaces) {
+    Model model = two_triangles();
+    model.materials.resize(2);
+    model.materials[0].name = "red silk";
+    model.materials[0].base_colour = {1.0F, 0.25F, 0.0F, 0.5F};
+    model.meshes[1].primitives[0].material = 0;
+    const AvatarRig rig = build_rig(model);
+    const std::string text = obj_text(model, rig, RigState(rig), "x", "x.mtl");
+    EXPECT_EQ(text.find("# x\nmtllib x.mtl\no node0.mesh0.primitive0\nv "), 0U);
+    EXPECT_NE(text.find("o node1.mesh1.primitive0\nusemtl 0_red_silk\nv "), std::string::npos);
+    EXPECT_EQ(mtl_text(model),
+              "newmtl 0_red_silk\nKd 1.000000 0.250000 0.000000\nd 0.500000\nillum 1\n"
+              "newmtl 1_\nKd 1.000000 1.000000 1.000000\nd 1.000000\nillum 1\n");
+}
+
 TEST(PosedText, a_table_of_all_joints) {
     const AvatarRig rig = build_rig(two_triangles());
     EXPECT_EQ(joint_heads() + joint_lines(rig, RigState(rig), 7),
