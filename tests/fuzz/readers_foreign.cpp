@@ -7,9 +7,8 @@ namespace raks::fuzz {
 
 bool read_foreign_text(std::string_view bytes) {
     bool is_any = false;
-    for (const auto format : {engine::ForeignFormat::fbx,
-                              engine::ForeignFormat::collada,
-                              engine::ForeignFormat::obj}) {
+    for (const auto format :
+         {engine::ForeignFormat::fbx, engine::ForeignFormat::collada, engine::ForeignFormat::obj}) {
         const auto text = engine::mended_text(format, std::string(bytes));
         if (!text) {
             must_be_one_line(text.error().message);

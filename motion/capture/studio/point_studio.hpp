@@ -33,7 +33,7 @@ struct StudioOptions {
     double drift_ppm = 0.0;           ///< each clock's drift is drawn within +- this
     /// The capture's clock is that of the first camera, as a synchronisation by sound has it.
     bool first_clock_is_true = false;
-    std::uint64_t seed = 1;           ///< of everything that is drawn
+    std::uint64_t seed = 1;  ///< of everything that is drawn
 };
 
 /// What was filmed, and the truth about it.

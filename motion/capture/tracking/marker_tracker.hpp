@@ -60,10 +60,10 @@ struct TrackerStages {
 ///
 /// Errors, one line each: what check_rig refuses; a film whose camera the rig has not, or without a
 /// clock; a label whose camera or marker there is not; no moment at which two cameras film; no
-/// marker that is labelled in two cameras at one moment; films that check_view_order refuses; a world in
-/// which the dancer is larger or smaller than said by a quarter. Same
-/// input, same bits. Threads: any, one a call. Cost: about 2,000 frames of six cameras a second,
-/// again for each camera that was moved.
+/// marker that is labelled in two cameras at one moment; films that check_view_order refuses; a
+/// world in which the dancer is larger or smaller than said by a quarter. Same input, same bits.
+/// Threads: any, one a call. Cost: about 2,000 frames of six cameras a second, again for each
+/// camera that was moved.
 [[nodiscard]] Expected<TrackerStages> track_markers(const TrackerInput& input,
                                                     const TrackerOptions& options);
 
