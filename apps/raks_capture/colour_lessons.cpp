@@ -196,6 +196,8 @@ Expected<LearntColours> learn_colours(const CameraFilm& film,
         }
         learnt.models.push_back(*model);
         learnt.colours.push_back(colour);
+        learnt.markers.push_back(
+            static_cast<std::size_t>(std::count(classes.begin(), classes.end(), colour)));
     }
     tell_likeness(film.camera, learnt, names, doubts);
     return learnt;

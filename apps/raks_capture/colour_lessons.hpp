@@ -16,6 +16,7 @@ namespace raks::apps {
 struct LearntColours {
     std::vector<capture::ColourModel> models;
     std::vector<std::size_t> colours;  ///< of each model: its index in MarkerSet::colours()
+    std::vector<std::size_t> markers;  ///< of each model: how many of the set have its colour
 };
 
 /// Reads the film as far as its last label and learns each colour that is labelled. What is

@@ -19,6 +19,7 @@ constexpr double kSmallest = 0.12;         // of a spot, of the labelled markers
 constexpr double kLargest = 8.0;           // likewise
 constexpr double kLeastSpot = 4.0;         // pixels
 constexpr double kTypicalDistance2 = 2.0;  // of a spot whose mean its colour may follow
+constexpr double kFarthestLight2 = 1.0;    // from the mean that was learnt
 constexpr double kRarely = 0.05;           // of the pictures
 
 Expected<void> check_labels(std::span<const CameraFilm> films,
@@ -51,20 +52,30 @@ capture::FinderOptions finder_options(const LearntColours& learnt) {
             .greatest_area = std::max(kLargest * largest, 100.0)};
 }
 
-// Means follow the light by those spots that are surely of their colour.
-void follow_light(capture::MarkerFinder& finder, const std::vector<capture::Spot>& spots) {
+// Means follow the light by those spots that are surely of their colour, unless there are more of
+// them than markers. They stay within what the colour varied by when it was learnt: by the pale
+// edges of the spots a mean would else wander into the background, and find more of it each time.
+void follow_light(capture::MarkerFinder& finder,
+                  const LearntColours& learnt,
+                  const std::vector<capture::Spot>& spots) {
     for (std::size_t colour = 0; colour < finder.models().size(); ++colour) {
+        const capture::ColourModel& model = finder.models()[colour];
         glm::dvec2 sum{};
-        double count = 0.0;
+        std::size_t count = 0;
         for (const capture::Spot& spot : spots) {
             if (spot.detection.colour == colour &&
-                finder.models()[colour].distance2(spot.mean_chroma) < kTypicalDistance2) {
+                model.distance2(spot.mean_chroma) < kTypicalDistance2) {
                 sum += spot.mean_chroma;
-                count += 1.0;
+                ++count;
             }
         }
-        if (count > 0.0) {
-            finder.adapt_colour(colour, sum / count, capture::kMostAdaption);
+        if (count == 0 || count > learnt.markers[colour]) {
+            continue;
+        }
+        const glm::dvec2 seen = sum / static_cast<double>(count);
+        const glm::dvec2 next = model.mean + capture::kMostAdaption * (seen - model.mean);
+        if (learnt.models[colour].distance2(next) <= kFarthestLight2) {
+            finder.adapt_colour(colour, seen, capture::kMostAdaption);
         }
     }
 }
@@ -120,7 +131,7 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
         }
         const std::vector<capture::Spot> spots =
             finder->find({(*picture)->width, (*picture)->height, (*picture)->rgb});
-        follow_light(*finder, spots);
+        follow_light(*finder, learnt, spots);
         capture::SeenPicture& found = seen.pictures.emplace_back();
         found.time = (*picture)->seconds;
         for (const capture::Spot& spot : spots) {

@@ -114,12 +114,16 @@ BetweenPictures between(const std::vector<capture::BoardCorner>& before,
     return result;
 }
 
+// Markers that make another board: by chance a picture of a room, or of a board seen from the edge,
+// has one of a thousand or two.
+constexpr std::size_t kForeignBoard = 3;
+
 // What was seen in one film.
 struct Look {
     std::size_t pictures = 0;  // moments that were looked at
     std::size_t found = 0;
     std::size_t moving = 0;          // moments at which the board was carried too quickly
-    std::size_t foreign = 0;         // pictures with markers that the board does not have
+    std::size_t foreign = 0;         // pictures with markers of another board
     std::vector<std::uint8_t> last;  // picture that was looked at
 };
 
@@ -148,7 +152,6 @@ Expected<void> check_board_is_planned(const capture::Board& board,
                                       const PlannedCamera& camera,
                                       const Look& look,
                                       std::vector<std::string>& warnings) {
-    // By chance a picture of a room has one of a thousand markers, too.
     if (2 * look.foreign <= std::max<std::size_t>(look.found, 1)) {
         return {};
     }
@@ -179,7 +182,7 @@ std::vector<capture::BoardCorner> board_at(double share,
         look.last = grey_of(picture);
         capture::BoardView view =
             capture::find_board({picture.width, picture.height, look.last}, board);
-        look.foreign += view.foreign_markers > 0 ? 1U : 0U;
+        look.foreign += view.foreign_markers >= kForeignBoard ? 1U : 0U;
         return view.corners.size() >= capture::kFewestBoardCorners
                    ? std::move(view.corners)
                    : std::vector<capture::BoardCorner>();

@@ -201,17 +201,21 @@ std::size_t LabelSession::labelled_in(std::size_t of_camera) const {
 
 LabelSession label_session(std::vector<std::string> cameras,
                            capture::MarkerSet markers,
-                           std::vector<MarkerLabel> labels) {
+                           std::vector<MarkerLabel> labels,
+                           std::vector<std::size_t> first_pictures) {
     LabelSession session;
     session.cameras = std::move(cameras);
     session.markers = std::move(markers);
-    session.pictures.assign(session.cameras.size(), 0);
+    session.pictures = std::move(first_pictures);
+    session.pictures.resize(session.cameras.size(), 0);
     // Where a camera is labelled already one goes on with that picture.
     for (std::size_t camera = 0; camera < session.cameras.size(); ++camera) {
         const auto first = std::find_if(labels.begin(), labels.end(), [&](const auto& label) {
             return label.camera == session.cameras[camera];
         });
-        session.pictures[camera] = first != labels.end() ? first->picture : 0;
+        if (first != labels.end()) {
+            session.pictures[camera] = first->picture;
+        }
     }
     session.labels = History<Labels>(std::move(labels));
     return session;

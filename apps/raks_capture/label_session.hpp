@@ -50,10 +50,12 @@ struct LabelSession {
     [[nodiscard]] std::size_t labelled_in(std::size_t of_camera) const;
 };
 
-/// A session that begins with these labels.
+/// A session that begins with these labels. A camera is looked at in its first picture that is
+/// labelled; without any, in the one of `first_pictures`, by camera (empty: the first of its film).
 [[nodiscard]] LabelSession label_session(std::vector<std::string> cameras,
                                          capture::MarkerSet markers,
-                                         std::vector<capture::MarkerLabel> labels);
+                                         std::vector<capture::MarkerLabel> labels,
+                                         std::vector<std::size_t> first_pictures = {});
 
 /// Another camera is looked at.
 struct ShowCamera {

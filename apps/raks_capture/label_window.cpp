@@ -23,7 +23,40 @@
 namespace raks::apps {
 namespace {
 
+constexpr double kFarthestPicture = 1e6;
+
 using capture::MarkerLabel;
+
+// How many pictures a second a camera takes; 0: that cannot be told.
+double picture_rate(const CameraFilm& film, const capture::SeenFilm* seen) {
+    if (!film.path.empty()) {
+        const auto reader = open_film(film, {});
+        return reader ? (*reader)->info().pictures_per_second : 0.0;
+    }
+    const double seconds = seen != nullptr && seen->pictures.size() > 1
+                               ? seen->pictures.back().time - seen->pictures.front().time
+                               : 0.0;
+    return seconds > 0.0 ? static_cast<double>(seen->pictures.size() - 1) / seconds : 0.0;
+}
+
+// By camera: the picture of the first moment at which all film, as near as their rates say; without
+// a clock the first.
+std::vector<std::size_t> pictures_of_one_moment(const LabelWork& work) {
+    const double start = capture::common_start(work.clocks);
+    std::vector<std::size_t> pictures;
+    for (const CameraFilm& film : films_by_camera(work.plan)) {
+        std::size_t& number = pictures.emplace_back(0);
+        const auto clock = std::find_if(work.clocks.begin(),
+                                        work.clocks.end(),
+                                        [&](const auto& one) { return one.camera == film.camera; });
+        if (clock != work.clocks.end()) {
+            const double rate = picture_rate(film, film_of(work.seen, film.camera));
+            number = static_cast<std::size_t>(
+                std::lround(std::clamp(clock->camera_time(start) * rate, 0.0, kFarthestPicture)));
+        }
+    }
+    return pictures;
+}
 
 /// What the window shows; keeps the session and what is made from it.
 class LabelContent : public render::PaneContent {
@@ -32,7 +65,14 @@ class LabelContent : public render::PaneContent {
         : work_(work),
           pictures_(films_by_camera(work.plan)),
           spots_(work.markers.colours().size()),
-          session_(label_session(camera_names(work.plan), work.markers, work.labels)) {}
+          session_(label_session(
+              camera_names(work.plan), work.markers, work.labels, pictures_of_one_moment(work))) {
+        if (work.clocks.empty() && work.plan.cameras.size() > 1 && work.labels.empty()) {
+            view_.message =
+                "The clocks are not known yet: after raks capture sync this window begins "
+                "with pictures of one moment";
+        }
+    }
 
     void draw(const render::PaneFrame& frame) override {
         look();

@@ -124,5 +124,11 @@ TEST_F(LabelSessions, goes_on_with_the_pictures_that_are_labelled_already) {
     EXPECT_TRUE(session.labels.is_saved());
 }
 
+TEST_F(LabelSessions, begins_with_pictures_of_one_moment_where_nothing_is_labelled) {
+    const LabelSession session = label_session(
+        {"left", "right"}, capture::default_markers(), {{"right", 7, "head", {1.0, 2.0}}}, {12, 3});
+    EXPECT_EQ(session.pictures, (std::vector<std::size_t>{12, 7}));
+}
+
 }  // namespace
 }  // namespace raks::apps

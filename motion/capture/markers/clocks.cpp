@@ -41,6 +41,14 @@ Clock read_clock(const toml::table& table,
 
 }  // namespace
 
+double common_start(const std::vector<Clock>& clocks) noexcept {
+    double start = clocks.empty() ? 0.0 : clocks.front().capture_time(0.0);
+    for (const Clock& clock : clocks) {
+        start = std::max(start, clock.capture_time(0.0));
+    }
+    return start;
+}
+
 std::string clocks_text(const std::vector<Clock>& clocks) {
     std::string text = fmt::format(
         "# capture time = offset + (1 + drift_ppm / 1e6) * camera time, seconds\n"

@@ -57,9 +57,17 @@ struct Clock {
     [[nodiscard]] double capture_time(double camera_time) const noexcept {
         return offset + (1.0 + drift_ppm * 1e-6) * camera_time;
     }
+    /// The camera's time of a moment of the capture; seconds.
+    [[nodiscard]] double camera_time(double capture_time) const noexcept {
+        return (capture_time - offset) / (1.0 + drift_ppm * 1e-6);
+    }
 
     friend bool operator==(const Clock&, const Clock&) = default;
 };
+
+/// The moment from which all cameras film, each from 0 by its own clock; seconds of the capture.
+/// Without a clock 0.
+[[nodiscard]] double common_start(const std::vector<Clock>& clocks) noexcept;
 
 /// Observations as a table (`detections.csv`): camera,picture,time,colour,u,v,area; a picture in
 /// which nothing was found has one row with an empty colour. Numbers read back to the same bits.

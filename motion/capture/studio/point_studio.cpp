@@ -175,8 +175,14 @@ Tracks true_tracks(const StudioMotion& motion,
     return tracks;
 }
 
-// What a person would click: each marker in the first pictures in which two cameras see it, found
-// by a detector or not.
+// The picture that shows a moment of the capture best, of `count` at this rate.
+std::size_t picture_at(const Clock& clock, double moment, double rate, std::size_t count) {
+    const double number = std::round(clock.camera_time(moment) * rate);
+    return static_cast<std::size_t>(std::clamp(number, 0.0, static_cast<double>(count - 1)));
+}
+
+// What a person would click: each marker in the pictures of the first moment at which two cameras
+// see it, found by a detector or not.
 std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
                                       const Rig& rig,
                                       const MarkerSet& markers,
@@ -185,10 +191,15 @@ std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
     Dice dice(options.seed, 1 + rig.cameras.size());
     std::vector<MarkerLabel> labels;
     std::vector<bool> is_labelled(markers.markers.size());
+    const double start = common_start(take.clocks);
     for (std::size_t k = 0; k < take.truth.frame_count; ++k) {
-        std::vector<FilmedBody> bodies;  // by camera, at the moment of its picture
+        const double moment = start + static_cast<double>(k) / options.frames_per_second;
+        std::vector<std::size_t> pictures;  // by camera
+        std::vector<FilmedBody> bodies;     // by camera, at the moment of its picture
         for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-            const double time = take.seen.films[i].pictures[k].time;
+            pictures.push_back(picture_at(
+                take.clocks[i], moment, options.frames_per_second, take.truth.frame_count));
+            const double time = take.seen.films[i].pictures[pictures.back()].time;
             bodies.push_back(body_at(motion, markers, take.clocks[i].capture_time(time)));
         }
         for (std::size_t marker = 0; marker < markers.markers.size(); ++marker) {
@@ -205,7 +216,7 @@ std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
             for (const std::size_t i : cameras) {
                 const glm::dvec2 noise(dice.normal(options.noise), dice.normal(options.noise));
                 labels.push_back({rig.cameras[i].name,
-                                  k,
+                                  pictures[i],
                                   markers.markers[marker].name,
                                   *project(rig.cameras[i], bodies[i].markers[marker]) + noise});
             }

@@ -12,6 +12,8 @@ namespace raks::capture {
 /// Errors of tracks, over all frames of all markers.
 struct TrackErrors {
     double mean = 0.0;          ///< of the places that are at most 100 mm off; metres
+    double aligned_mean = 0.0;  ///< of the same, after the turn and the move of them all that fit
+                                ///< best: a board on the floor says only about where the world lies
     std::size_t places = 0;     ///< frames times markers
     std::size_t wrong = 0;      ///< places that are more than 100 mm off, or lost
     std::size_t unflagged = 0;  ///< wrong places of the others that no flag names

@@ -31,6 +31,18 @@ struct Scene : test::FilmedSwing {
     }
 };
 
+TEST(TrackErrors, are_told_without_what_a_turned_and_moved_world_adds) {
+    const Scene scene(StudioOptions{});
+    Tracks moved = scene.take.truth;
+    const glm::dquat turn = glm::angleAxis(0.01, glm::normalize(glm::dvec3(1.0, 2.0, -1.0)));
+    for (MarkerPlace& place : moved.places) {
+        place.place = turn * place.place + glm::dvec3(0.01, -0.02, 0.005);
+    }
+    const TrackErrors errors = scene.errors(moved);
+    EXPECT_GT(errors.mean, 0.01);
+    EXPECT_LT(errors.aligned_mean, 1e-9);
+}
+
 TEST(MarkerFilter, is_that_of_textbooks_on_a_line) {
     // A point at constant speed, seen exactly: after a few frames place and speed are known.
     MeasuredPlace seen{{0.0, 1.0, 0.0}, glm::dmat3(1e-6)};
