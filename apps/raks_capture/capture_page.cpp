@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/raks_capture/capture_charts.hpp"
 #include "apps/reports/web_page.hpp"
+#include "base/statistics.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -42,12 +44,7 @@ double mean_of(const std::vector<double>& values) {
 }
 
 double median_of(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return values.empty() ? 0.0 : upper_median(std::move(values));
 }
 
 void add_marker(const CaptureReport& report, std::size_t marker, MarkerSums& sums) {

@@ -10,6 +10,7 @@
 #include "engine/import/mesh_skin.hpp"
 #include "engine/import/scene_parts.hpp"
 #include "engine/import/weld.hpp"
+#include "render/model/finite.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -27,10 +28,6 @@ using render::MorphTarget;
 constexpr std::size_t kMostVertices = 3'000'000;  // of all meshes
 
 glm::vec3 vector_of(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 glm::vec3 unit(const glm::vec3& v) {
     const float length = glm::length(v);
@@ -145,7 +142,7 @@ class MeshImport {
             const glm::mat4 inverse_bind =
                 scaling() * matrix_of(bone.mOffsetMatrix) * glm::inverse(skinned_place(node));
             const int joint = joint_of(bone.mName.C_Str(), inverse_bind);
-            if (joint < 0 || !engine::is_finite(inverse_bind)) {
+            if (joint < 0 || !render::is_finite(inverse_bind)) {
                 return fail(fmt::format("mesh \"{}\" hangs on \"{}\", which {}",
                                         printable(mesh.mName.C_Str(), 60),
                                         printable(bone.mName.C_Str(), 60),
@@ -260,7 +257,7 @@ class MeshImport {
                                  : -1;
         for (unsigned v = 0; v < source.mNumVertices; ++v) {
             primitive.positions.push_back(vector_of(source.mVertices[v]));
-            if (!is_finite(primitive.positions.back())) {
+            if (!render::is_finite(primitive.positions.back())) {
                 return fail(fmt::format("vertex {} is at no finite place", v));
             }
             if (source.HasNormals()) {
@@ -363,7 +360,7 @@ class MeshImport {
                                              ? vector_of(shape.mNormals[v] - source.mNormals[v])
                                              : glm::vec3(0.0F);
                 const bool is_still = moved == glm::vec3(0.0F) && turned == glm::vec3(0.0F);
-                if (is_still || !is_finite(moved) || !is_finite(turned)) {
+                if (is_still || !render::is_finite(moved) || !render::is_finite(turned)) {
                     continue;
                 }
                 morph.vertices.push_back(v);

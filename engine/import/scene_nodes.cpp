@@ -6,6 +6,7 @@
 
 #include "base/printable.hpp"
 #include "engine/import/scene_parts.hpp"
+#include "render/model/finite.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <fmt/format.h>
@@ -122,17 +123,6 @@ glm::mat4 matrix_of(const aiMatrix4x4& m) {
             {m.a4, m.b4, m.c4, m.d4}};
 }
 
-bool is_finite(const glm::mat4& matrix) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(matrix[column][row])) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 Expected<void> import_nodes(SceneImport& import) {
     import.turn = turn_of(import.scene.mMetaData);
     import.scale = scale_of(import.scene.mMetaData);
@@ -145,7 +135,7 @@ Expected<void> import_nodes(SceneImport& import) {
         }
         ModelNode node;
         node.name = source->mName.C_Str();
-        if (!is_finite(matrix_of(source->mTransformation))) {
+        if (!render::is_finite(matrix_of(source->mTransformation))) {
             return fail(fmt::format("node \"{}\" is at no finite place", printable(node.name, 60)));
         }
         place_node(source->mTransformation, node);

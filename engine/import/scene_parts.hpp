@@ -33,8 +33,6 @@ struct SceneImport {
 };
 
 [[nodiscard]] glm::mat4 matrix_of(const aiMatrix4x4& matrix);
-/// Whether all its numbers are finite.
-[[nodiscard]] bool is_finite(const glm::mat4& matrix);
 
 /// Nodes, turned and scaled as the scene's metadata and its root say.
 /// Errors: too many, a place that is not finite.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/model/finite.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -31,10 +33,6 @@ glm::vec3 at_length(const glm::vec3& origin,
 glm::vec3 limited(const glm::vec3& motion) noexcept {
     const float distance = glm::length(motion);
     return distance > kMostMotion ? motion * (kMostMotion / distance) : motion;
-}
-
-bool is_finite(const glm::vec3& v) noexcept {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 }  // namespace

@@ -16,25 +16,8 @@ using motion::Bone;
 
 constexpr const char* kLicenceAddress = "https://vrm.dev/licenses/1.0/";
 
-/// Those that VRM 1.0 asks for.
-constexpr std::array kNeeded = {Bone::hips,
-                                Bone::spine,
-                                Bone::head,
-                                Bone::left_upper_leg,
-                                Bone::left_lower_leg,
-                                Bone::left_foot,
-                                Bone::right_upper_leg,
-                                Bone::right_lower_leg,
-                                Bone::right_foot,
-                                Bone::left_upper_arm,
-                                Bone::left_lower_arm,
-                                Bone::left_hand,
-                                Bone::right_upper_arm,
-                                Bone::right_lower_arm,
-                                Bone::right_hand};
-
 Expected<void> check(const Character& character) {
-    for (const Bone bone : kNeeded) {
+    for (const Bone bone : kRequiredBones) {
         if (character.humanoid.nodes[motion::index_of(bone)] < 0) {
             return fail(fmt::format("VRM asks for the bone {}, which it lacks",
                                     motion::kBoneNames[motion::index_of(bone)]));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "render/import/node_tree.hpp"
+#include "render/model/finite.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <glm/common.hpp>
@@ -19,17 +20,6 @@ namespace {
 glm::mat4 local_of(const ModelNode& node) {
     return glm::translate(glm::mat4(1.0F), node.translation) * glm::mat4_cast(node.rotation) *
            glm::scale(glm::mat4(1.0F), node.scale);
-}
-
-bool is_finite(const glm::mat4& matrix) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(matrix[column][row])) {
-                return false;
-            }
-        }
-    }
-    return true;
 }
 
 /// Where the skin's own space has each joint; empty where it does not say.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/printable.hpp"
+#include "render/model/finite.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -201,10 +202,6 @@ std::vector<int> materials_of(const TdsObject& object,
     return of_triangle;
 }
 
-bool is_finite_place(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 Expected<ModelMesh> make_tds_mesh(const TdsObject& object,
@@ -228,7 +225,9 @@ Expected<ModelMesh> make_tds_mesh(const TdsObject& object,
     for (const auto& [material, triangles] : by_material) {
         mesh.primitives.push_back(maker.primitive(material, triangles));
         const std::vector<glm::vec3>& places = mesh.primitives.back().positions;
-        if (!std::all_of(places.begin(), places.end(), is_finite_place)) {
+        if (!std::all_of(places.begin(), places.end(), [](const glm::vec3& place) {
+                return is_finite(place);
+            })) {
             return fail(fmt::format("\"{}\": its axes send it beyond all numbers", mesh.name));
         }
     }

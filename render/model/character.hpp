@@ -18,6 +18,25 @@
 
 namespace raks::render {
 
+/// The 15 bones without which no figure dances (VRM 1.0).
+inline constexpr std::array<motion::Bone, 15> kRequiredBones = {
+    motion::Bone::hips,
+    motion::Bone::spine,
+    motion::Bone::head,
+    motion::Bone::left_upper_leg,
+    motion::Bone::left_lower_leg,
+    motion::Bone::left_foot,
+    motion::Bone::left_upper_arm,
+    motion::Bone::left_lower_arm,
+    motion::Bone::left_hand,
+    motion::Bone::right_upper_leg,
+    motion::Bone::right_lower_leg,
+    motion::Bone::right_foot,
+    motion::Bone::right_upper_arm,
+    motion::Bone::right_lower_arm,
+    motion::Bone::right_hand,
+};
+
 /// How the node of a bone was found.
 enum class BoneReason : std::uint8_t {
     none,     ///< it was not

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/printable.hpp"
+#include "base/statistics.hpp"
 #include "motion/skeleton/formats/table_rows.hpp"
 
 #include <glm/geometric.hpp>
@@ -42,12 +43,7 @@ struct CameraWindow {
 };
 
 double median_of(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return values.empty() ? 0.0 : upper_median(std::move(values));
 }
 
 /// Compares all spots with the markers, camera by camera and window by window.
