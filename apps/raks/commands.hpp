@@ -113,12 +113,12 @@ struct XbodyArguments {
     JointArguments joints;          ///< which joint of the clip is which bone
     std::size_t frame = 0;          ///< of the clip
     std::string view = "front";     ///< or side, back, top
-    std::string size = "960x720";   ///< of the picture
+    std::string size;               ///< of window or picture; empty: 1280x720 or 960x720
     bool has_names = false;         ///< beside the bones
-    Path output;                    ///< .png
+    Path output;                    ///< .png; empty: a window
 };
-/// Draws a model with its bones over it. Errors: no such model or clip; those of reading them, of
-/// OpenGL and of the picture.
+/// Shows a model with its bones over it, in a window in which they are labelled, or draws it.
+/// Errors: no such model or clip; those of reading them, of OpenGL and of the picture; no display.
 [[nodiscard]] ExitCode xbody(const XbodyArguments& arguments);
 
 /// Arguments of `raks calibrate`.

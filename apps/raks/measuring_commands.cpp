@@ -114,9 +114,9 @@ void add_xbody(RaksCommands& table) {
         ->needs(motion);
     app->add_option("--view", a->view, "front, side, back or top")
         ->check(one_of({"front", "side", "back", "top"}));
-    app->add_option("--size", a->size, "of the picture, such as 1280x720");
+    app->add_option("--size", a->size, "of window or picture, such as 1280x720");
     app->add_flag("--names", a->has_names, "beside the bones");
-    app->add_option("-o,--out", a->output, "X.png: a picture")->required();
+    app->add_option("-o,--out", a->output, "X.png: a picture instead of a window");
 }
 
 void add_calibrate(RaksCommands& table) {

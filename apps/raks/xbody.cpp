@@ -1,13 +1,12 @@
-#include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "apps/raks/commands.hpp"
+#include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/xbody/shown_model.hpp"
 #include "apps/xbody/xbody_picture.hpp"
+#include "apps/xbody/xbody_window.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_clip.hpp"
@@ -19,24 +18,45 @@ namespace raks::apps {
 namespace {
 
 // Errors: what can be said before anything is read.
-Expected<XbodyPicture> check(const XbodyArguments& arguments) {
+Expected<void> check(const XbodyArguments& arguments) {
+    if (arguments.output.empty()) {
+        return {};
+    }
     if (arguments.output.extension() != ".png") {
         return fail(
             fmt::format("{}: a picture is written as .png", printable(arguments.output.string())));
     }
-    const auto size = engine::parse_size(arguments.size);
-    if (!size) {
-        return fail("--size: " + size.error().message);
+    return check_output(arguments.output,
+                        {arguments.model, engine::AvatarClip::file_of(arguments.motion)});
+}
+
+// `usual`: where none is asked for.
+Expected<engine::PictureSize> size_of(const XbodyArguments& arguments, engine::PictureSize usual) {
+    if (arguments.size.empty()) {
+        return usual;
     }
-    auto possible = check_output(arguments.output,
-                                 {arguments.model, engine::AvatarClip::file_of(arguments.motion)});
-    if (!possible) {
-        return fail(std::move(possible.error()));
+    auto size = engine::parse_size(arguments.size);
+    return size ? size : fail("--size: " + size.error().message);
+}
+
+Expected<void> show(const XbodyArguments& arguments,
+                    ShownModel model,
+                    const engine::PictureSize& size) {
+    if (arguments.output.empty()) {
+        return xbody_in_window(std::move(model),
+                               {.width = size.width,
+                                .height = size.height,
+                                .view = arguments.view,
+                                .frame = arguments.frame,
+                                .has_names = arguments.has_names},
+                               [] { return stop_signal().has_value(); });
     }
-    return XbodyPicture{.frame = arguments.frame,
-                        .view = arguments.view,
-                        .size = *size,
-                        .has_names = arguments.has_names};
+    return write_xbody_picture(arguments.output,
+                               model,
+                               {.frame = arguments.frame,
+                                .view = arguments.view,
+                                .size = size,
+                                .has_names = arguments.has_names});
 }
 
 Expected<ShownModel> load(const XbodyArguments& arguments) {
@@ -58,18 +78,23 @@ Expected<ShownModel> load(const XbodyArguments& arguments) {
 }  // namespace
 
 ExitCode xbody(const XbodyArguments& arguments) {
-    const auto picture = check(arguments);
-    if (!picture) {
-        return fail(picture.error());
+    if (auto possible = check(arguments); !possible) {
+        return fail(possible.error());
     }
-    const auto model = load(arguments);
+    const auto size = size_of(
+        arguments,
+        arguments.output.empty() ? engine::PictureSize{1280, 720} : engine::PictureSize{960, 720});
+    if (!size) {
+        return fail(size.error());
+    }
+    auto model = load(arguments);
     if (!model) {
         return fail(model.error());
     }
     for (const std::string& note : model->notes) {
         say(fmt::format("{}: {}", printable(arguments.model), note));
     }
-    return exit_code_of(write_xbody_picture(arguments.output, *model, *picture));
+    return exit_code_of(show(arguments, std::move(*model), *size));
 }
 
 }  // namespace raks::apps

@@ -8,8 +8,10 @@
 #include "engine/show/avatar_files.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/standing_model.hpp"
+#include "render/avatar/model_avatar.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
+#include "render/import/node_tree.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <fmt/format.h>
@@ -181,6 +183,33 @@ render::Camera camera_before(const ShownModel& model,
         points.insert(points.end(), corners.begin(), corners.end());
     }
     return points.empty() ? camera : camera_before(camera, points, aspect);
+}
+
+void hide_nodes(const std::vector<bool>& is_hidden, ShownModel& model) {
+    render::Model shown = model.figure.model;
+    for (std::size_t i = 0; i < shown.nodes.size(); ++i) {
+        if (is_hidden[i]) {
+            shown.nodes[i].mesh = -1;
+            shown.nodes[i].skin = -1;
+        }
+    }
+    model.avatar = std::make_shared<const render::Avatar>(
+        render::build_avatar(shown, model.avatar->surface.images, model.figure.options));
+}
+
+std::vector<glm::vec3> branch_places(const ShownModel& model, const ShownPose& shown, int node) {
+    const render::Model& standing = model.figure.model;
+    const render::JointTree& tree = model.avatar->rig->tree;
+    std::vector<glm::vec3> places;
+    for (std::size_t i = 0; i < standing.nodes.size(); ++i) {
+        const int one = static_cast<int>(i);
+        const int joint = tree.joint_of(one);
+        const bool is_in = node < 0 || one == node || render::is_below(standing, one, node);
+        if (is_in && joint >= 0) {
+            places.emplace_back(shown.state.joints.world[static_cast<std::size_t>(joint)][3]);
+        }
+    }
+    return places;
 }
 
 }  // namespace raks::apps

@@ -72,4 +72,13 @@ void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown);
                                            const std::vector<glm::vec3>& points,
                                            float aspect);
 
+/// Leaves the meshes of hidden nodes (by node) out of the avatar, or takes them in again. Poses of
+/// it are to be made anew. Threads: one. Real-time: no.
+void hide_nodes(const std::vector<bool>& is_hidden, ShownModel& model);
+
+/// Where a node and all below it are; -1: all nodes. Threads: any. Real-time: no.
+[[nodiscard]] std::vector<glm::vec3> branch_places(const ShownModel& model,
+                                                   const ShownPose& shown,
+                                                   int node);
+
 }  // namespace raks::apps

@@ -15,6 +15,18 @@ namespace {
 constexpr std::string_view kLabelFormat = "raks-avatar-labels";
 constexpr std::int64_t kLabelVersion = 1;
 
+constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "-x", "-y", "-z"};
+
+/// Empty: it is 0.
+std::string name_of_axis(const glm::vec3& axis) {
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        if (axis[static_cast<int>(i % 3)] == (i < 3 ? 1.0F : -1.0F)) {
+            return std::string(kAxes[i]);
+        }
+    }
+    return {};
+}
+
 void read_label_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "bones"};
     complaints.check_head(root, kLabelFormat, kLabelVersion);
@@ -23,7 +35,6 @@ void read_label_head(const toml::table& root, TomlComplaints& complaints) {
 
 /// An axis by its name; 0 and a complaint where it is none.
 glm::vec3 read_bone_axis(const toml::node& node, TomlComplaints& complaints) {
-    constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "-x", "-y", "-z"};
     const std::size_t word = complaints.word(node, "axis", kAxes);
     glm::vec3 axis(0.0F);
     if (complaints.is_sound()) {
@@ -78,6 +89,20 @@ Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& 
         return fail(complaints.fault());
     }
     return labels;
+}
+
+std::string bone_labels_text(std::span<const BoneLabel> labels) {
+    std::string text =
+        fmt::format("format = \"{}\"\nversion = {}\n\n[bones]\n", kLabelFormat, kLabelVersion);
+    for (const BoneLabel& label : labels) {
+        const std::string node = toml_quoted(label.node);
+        const std::string axis = name_of_axis(label.axis);
+        text += fmt::format(
+            "{} = {}\n",
+            motion::kBoneNames[motion::index_of(label.bone)],
+            axis.empty() ? node : fmt::format("{{node = {}, axis = \"{}\"}}", node, axis));
+    }
+    return text;
 }
 
 }  // namespace raks::render

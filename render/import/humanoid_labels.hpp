@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct BoneLabel {
     std::string node;  ///< name
     /// Where the bone points at rest, along an axis of the node; 0: found by what hangs on it.
     glm::vec3 axis{0.0F};
+    friend bool operator==(const BoneLabel&, const BoneLabel&) = default;
 };
 
 /// What a label file says.
@@ -39,5 +41,8 @@ struct BoneLabels {
 /// that no dance moves (eyes, jaw), a value that is neither a text nor a table of node and axis, an
 /// axis that is none of x, y, z, -x, -y, -z, no bones.
 [[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
+
+/// The label file of these labels, whose names are UTF-8: read_bone_labels gives them back.
+[[nodiscard]] std::string bone_labels_text(std::span<const BoneLabel> labels);
 
 }  // namespace raks::render

@@ -74,25 +74,30 @@ glm::vec3 skinned(const ModelPrimitive& primitive,
     return place;
 }
 
-void add_corners(const Model& model,
-                 const ModelNode& node,
-                 const glm::mat4& world_from_node,
-                 const std::vector<glm::mat4>& world,
-                 BoxMaker& box) {
+/// The boxes of a node's primitives.
+void add_parts(const Model& model,
+               int index,
+               const std::vector<glm::mat4>& world,
+               std::vector<RestPart>& parts) {
+    const ModelNode& node = model.nodes[at(index)];
     const std::vector<glm::mat4> matrices = node.skin >= 0
                                                 ? skin_matrices(model.skins[at(node.skin)], world)
                                                 : std::vector<glm::mat4>();
-    for (const ModelPrimitive& primitive : model.meshes[at(node.mesh)].primitives) {
+    const auto& primitives = model.meshes[at(node.mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const ModelPrimitive& primitive = primitives[i];
         const bool is_skinned = node.skin >= 0 && !primitive.joints.empty();
         std::vector<bool> is_done(primitive.positions.size());
+        BoxMaker box;
         for (const std::uint32_t vertex : primitive.indices) {
             if (!is_done[vertex]) {
                 is_done[vertex] = true;
                 box.add(is_skinned ? skinned(primitive, vertex, matrices)
-                                   : glm::vec3(world_from_node *
+                                   : glm::vec3(world[at(index)] *
                                                glm::vec4(primitive.positions[vertex], 1.0F)));
             }
         }
+        parts.push_back({index, i, box.box()});
     }
 }
 
@@ -180,13 +185,23 @@ std::vector<glm::mat4> rest_world(const Model& model) {
     return world;
 }
 
-std::optional<ModelBox> rest_box(const Model& model) {
+std::vector<RestPart> rest_parts(const Model& model) {
     const std::vector<glm::mat4> world = rest_world(model);
-    BoxMaker box;
+    std::vector<RestPart> parts;
     for (const int index : shown_nodes(model)) {
-        const ModelNode& node = model.nodes[at(index)];
-        if (node.mesh >= 0) {
-            add_corners(model, node, world[at(index)], world, box);
+        if (model.nodes[at(index)].mesh >= 0) {
+            add_parts(model, index, world, parts);
+        }
+    }
+    return parts;
+}
+
+std::optional<ModelBox> rest_box(const Model& model) {
+    BoxMaker box;
+    for (const RestPart& part : rest_parts(model)) {
+        if (part.box) {
+            box.add(part.box->low);
+            box.add(part.box->high);
         }
     }
     return box.box();

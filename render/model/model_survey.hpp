@@ -27,6 +27,16 @@ struct ModelBox {
 /// Threads: any. Real-time: no.
 [[nodiscard]] std::optional<ModelBox> rest_box(const Model& model);
 
+/// Triangles of one material in the mesh of a node of the scene.
+struct RestPart {
+    int node = -1;
+    std::size_t primitive = 0;    ///< of the node's mesh
+    std::optional<ModelBox> box;  ///< at rest, skins applied; none: it has no triangles
+};
+
+/// All of them, by the tree's order. Threads: any. Real-time: no.
+[[nodiscard]] std::vector<RestPart> rest_parts(const Model& model);
+
 /// Counts are those of the file.
 struct ModelSurvey {
     std::string format;  ///< "VRM 0.x", "VRM 1.0", "VRMA 1.0", "glTF 2.0", "3DS v3"

@@ -1,0 +1,84 @@
+// Xbody pane: what `raks xbody` shows around the model, and what is done in it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "apps/xbody/skeleton_view.hpp"
+#include "apps/xbody/xbody_session.hpp"
+#include "render/panes/pane_context.hpp"
+
+namespace raks::apps {
+
+/// Where the parts of the pane are; units.
+struct XbodyLayout {
+    render::Box search;
+    std::vector<render::Box> rows;   ///< of the tree, as many as there is room for
+    render::Box hide;                ///< under the tree
+    std::vector<render::Box> views;  ///< front, side, back, top, fit, bones, names
+    render::Box view;                ///< the model
+    std::vector<render::Box> pages;  ///< bones, meshes, file
+    std::vector<render::Box> lines;  ///< of the right pane
+    render::Box label;
+    render::Box unlabel;
+    render::Box undo;
+    render::Box redo;
+    render::Box save;
+    std::vector<render::Box> steps;  ///< first, back, play, on, last
+    render::Box number;              ///< of the frame
+    render::Box slower;
+    render::Box rate;
+    render::Box faster;
+    render::Box timeline;
+    render::Box status;  ///< a line
+    render::Box keys;    ///< a line
+};
+/// The layout of an area of 900 x 500 units or more.
+[[nodiscard]] XbodyLayout xbody_layout(const render::Box& area);
+
+/// A line of the right pane.
+struct XbodyLine {
+    std::string text;
+    bool is_title = false;
+    bool is_warning = false;
+};
+
+/// What the pane shows beside the session.
+struct XbodyView {
+    std::vector<NodeKind> kinds;    ///< by node
+    std::vector<SeenNode> seen;     ///< the skeleton in the view
+    std::vector<XbodyLine> meshes;  ///< page of the meshes
+    std::vector<XbodyLine> file;    ///< page of the file
+};
+
+/// The camera goes where it has all of the model: "front", "side", "back", "top".
+struct FitView {
+    std::string view;
+};
+/// The camera has the chosen branch, or where none is chosen all of the model.
+struct FrameChosen {};
+/// The labels are to be written.
+struct SaveXbody {};
+/// The window is to close.
+struct CloseXbody {};
+
+/// What a person asks for in the pane.
+using XbodyWish = std::variant<XbodyAction, FitView, FrameChosen, SaveXbody, CloseXbody>;
+
+/// Bones in the order of the page: those that a figure needs, then the others.
+[[nodiscard]] std::vector<motion::Bone> listed_bones(const render::HumanoidMap& humanoid);
+
+/// Draws the pane, but for the model itself, and tells what is asked for, in order.
+[[nodiscard]] std::vector<XbodyWish> xbody_pane(const render::PaneFrame& frame,
+                                                const XbodySession& session,
+                                                const XbodyView& view);
+
+/// What a key asks for; nothing: another key. Keys of the transport: space, `,` `.`, left, right,
+/// Home, End, digits and Enter are taken by `session.transport` where this gives nothing.
+[[nodiscard]] std::vector<XbodyWish> wishes_of_key(const KeyEvent& key,
+                                                   const XbodySession& session);
+
+}  // namespace raks::apps

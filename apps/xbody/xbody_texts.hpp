@@ -1,0 +1,22 @@
+// Xbody texts: what a model is made of, and whose it is, as lines for the right pane.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/xbody/shown_model.hpp"
+#include "apps/xbody/xbody_pane.hpp"
+
+namespace raks::apps {
+
+/// Three lines a sub-mesh: its name, what it is made of, its box.
+[[nodiscard]] std::vector<XbodyLine> mesh_lines(const render::Model& model);
+
+/// Format and counts, licence, what was mended or left out.
+[[nodiscard]] std::vector<XbodyLine> file_lines(const ShownModel& model);
+
+/// A text in lines of at most `width` letters, broken at spaces where there are some.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+
+}  // namespace raks::apps
