@@ -102,6 +102,11 @@ Expected<pid_t> spawn_child(const ChildStart& start) {
     return pid;
 }
 
+std::string end_child_group(pid_t pid) {
+    ::kill(-pid, SIGKILL);  // as long as nobody has waited for the child, the group is its own
+    return end_child(pid);
+}
+
 std::string end_child(pid_t pid) {
     int status = 0;
     pid_t ended = 0;

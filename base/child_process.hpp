@@ -32,4 +32,7 @@ struct ChildStart {
 /// SIGSEGV" or "exit code 1". Threads: any. Real-time: no.
 std::string end_child(pid_t pid);
 
+/// The same for a child of spawn_child, with all that it started in its process group.
+std::string end_child_group(pid_t pid);
+
 }  // namespace raks

@@ -3,6 +3,8 @@
 #include <array>
 #include <memory>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/printable.hpp"
 #include "engine/import/foreign_text.hpp"
@@ -48,9 +50,13 @@ bool has_skeleton(const render::Model& model) {
 Expected<render::Model> read_with_assimp(ForeignFormat format,
                                          const std::string& bytes,
                                          const ImportWays& ways) {
-    auto text = mended_text(format, bytes);
+    std::vector<std::string> notes;
+    auto text = mended_text(format, bytes, notes);
     if (!text) {
         return fail(text.error());
+    }
+    for (std::string& note : notes) {
+        ways.note(std::move(note));
     }
     const char* const name = kNames[static_cast<std::size_t>(format)];
     Assimp::Importer importer;

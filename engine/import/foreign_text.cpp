@@ -2,11 +2,14 @@
 
 #include "engine/import/collada_text.hpp"
 #include "engine/import/fbx_check.hpp"
+#include "engine/import/fbx_connections.hpp"
 #include "engine/import/obj_check.hpp"
 
 namespace raks::engine {
 
-Expected<std::string> mended_text(ForeignFormat format, const std::string& bytes) {
+Expected<std::string> mended_text(ForeignFormat format,
+                                  const std::string& bytes,
+                                  std::vector<std::string>& notes) {
     if (bytes.empty()) {
         return fail("empty");
     }
@@ -21,7 +24,14 @@ Expected<std::string> mended_text(ForeignFormat format, const std::string& bytes
             checked = check_obj(bytes);
             break;
     }
-    return checked ? Expected<std::string>(bytes) : fail(checked.error());
+    if (!checked) {
+        return fail(checked.error());
+    }
+    std::string text = bytes;
+    if (format == ForeignFormat::fbx) {
+        mend_fbx_connections(text, notes);
+    }
+    return text;
 }
 
 }  // namespace raks::engine

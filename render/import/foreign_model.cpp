@@ -20,7 +20,6 @@
 namespace raks::render {
 namespace {
 
-constexpr std::chrono::seconds kLongestImport(20);
 constexpr std::size_t kMostWanted = std::size_t{256} << 20U;  // bytes, of one file
 constexpr std::size_t kMostParts = 5000;                      // wanted files and notes
 constexpr std::size_t kMostNotes = 200;
@@ -44,7 +43,7 @@ struct Imported {
 /// A running raks-import.
 class ImportChild {
  public:
-    static Expected<ImportChild> start(std::string_view format) {
+    static Expected<ImportChild> start(std::string_view format, std::chrono::milliseconds longest) {
         const auto program = find_program_part("raks-import", "libexec/raks", "RAKS_IMPORTER");
         if (!program) {
             return fail(program.error());
@@ -53,7 +52,7 @@ class ImportChild {
         if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
             return fail("raks-import cannot be started: " + std::generic_category().message(errno));
         }
-        ImportChild child;
+        ImportChild child(longest);
         child.socket_ = pair[0];
         const Descriptor childs(pair[1]);
         ChildStart start{.program = *program,
@@ -74,12 +73,15 @@ class ImportChild {
     ImportChild(const ImportChild&) = delete;
     ImportChild& operator=(const ImportChild&) = delete;
     ImportChild(ImportChild&& other) noexcept
-        : pid_(std::exchange(other.pid_, -1)), socket_(std::exchange(other.socket_, -1)) {}
+        : pid_(std::exchange(other.pid_, -1)),
+          socket_(std::exchange(other.socket_, -1)),
+          longest_(other.longest_),
+          deadline_(other.deadline_) {}
     ImportChild& operator=(ImportChild&&) = delete;
     ~ImportChild() {
         const Descriptor closed(socket_);
         if (pid_ >= 0) {
-            end_child(pid_);
+            end_child_group(pid_);
         }
     }
 
@@ -117,7 +119,8 @@ class ImportChild {
     }
 
  private:
-    ImportChild() = default;
+    explicit ImportChild(std::chrono::milliseconds longest)
+        : longest_(longest), deadline_(std::chrono::steady_clock::now() + longest) {}
 
     ImportTalk answer(const std::string& wanted, const SideFiles& side) const {
         const auto file = is_data_uri(wanted) ? read_data_uri(wanted, kMostWanted)
@@ -127,11 +130,11 @@ class ImportChild {
     }
 
     std::string why_ended(ImportTalk talk) {
-        const std::string how = end_child(std::exchange(pid_, -1));
+        const std::string how = end_child_group(std::exchange(pid_, -1));
         switch (talk) {
             case ImportTalk::late:
                 return fmt::format("its reader took more than {} s and was ended",
-                                   kLongestImport.count());
+                                   std::chrono::duration<double>(longest_).count());
             case ImportTalk::broke:
                 return fmt::format("its reader broke off ({}): it is damaged, or too large", how);
             case ImportTalk::good:
@@ -143,21 +146,24 @@ class ImportChild {
 
     pid_t pid_ = -1;
     int socket_ = -1;
-    ImportDeadline deadline_ = std::chrono::steady_clock::now() + kLongestImport;
+    std::chrono::milliseconds longest_;
+    ImportDeadline deadline_;
 };
 
 }  // namespace
 
 Expected<Model> read_foreign_model(std::string_view format,
                                    std::span<const std::byte> bytes,
-                                   const SideFiles& side) {
+                                   const SideFiles& side,
+                                   std::chrono::milliseconds longest) {
 #ifdef RAKS_WITHOUT_IMPORT
     static_cast<void>(bytes);
     static_cast<void>(side);
+    static_cast<void>(longest);
     return fail(
         fmt::format("this build of raks reads no {} (RAKS_IMPORT=OFF); bring it as .glb", format));
 #else
-    auto child = ImportChild::start(format);
+    auto child = ImportChild::start(format, longest);
     if (!child) {
         return fail(child.error());
     }

@@ -9,7 +9,11 @@ bool read_foreign_text(std::string_view bytes) {
     bool is_any = false;
     for (const auto format :
          {engine::ForeignFormat::fbx, engine::ForeignFormat::collada, engine::ForeignFormat::obj}) {
-        const auto text = engine::mended_text(format, std::string(bytes));
+        std::vector<std::string> notes;
+        const auto text = engine::mended_text(format, std::string(bytes), notes);
+        for (const std::string& note : notes) {
+            must_be_one_line(note);
+        }
         if (!text) {
             must_be_one_line(text.error().message);
         } else {

@@ -3,11 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
+
+#include "base/file.hpp"
+
 namespace raks::engine {
 namespace {
 
 std::string fault(ForeignFormat format, const std::string& bytes) {
-    const auto text = mended_text(format, bytes);
+    std::vector<std::string> notes;
+    const auto text = mended_text(format, bytes, notes);
     return text ? "" : text.error().message;
 }
 
@@ -72,6 +78,36 @@ TEST(ForeignFbx, that_is_none_or_cut_is_told) {
     EXPECT_EQ(fault(ForeignFormat::fbx, "; a } in words\nFBXHeaderExtension: \"{\" {\n}\n"), "");
 }
 
+/// Puts a number of 64 bits in the place of another in a connection from object to object.
+std::string reconnected(std::string bytes, std::int64_t child, std::int64_t old, std::int64_t now) {
+    const auto number = [](std::int64_t value) {
+        std::string text = "L";
+        text.resize(1 + sizeof(value));
+        std::memcpy(text.data() + 1, &value, sizeof(value));
+        return text;
+    };
+    const std::size_t at = bytes.find("OO" + number(child) + number(old));
+    EXPECT_NE(at, std::string::npos);
+    return at == std::string::npos ? bytes : bytes.replace(at + 2 + 9, 9, number(now));
+}
+
+TEST(ForeignFbx, a_mesh_of_a_model_that_is_not_there_goes_to_the_one_without_a_mesh) {
+    const std::string good =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/bent_bar.fbx").value();
+    std::vector<std::string> notes;
+    EXPECT_EQ(mended_text(ForeignFormat::fbx, good, notes), good);
+    EXPECT_TRUE(notes.empty());
+    const std::string astray = reconnected(good, 100, 200, 987'654);
+    EXPECT_EQ(mended_text(ForeignFormat::fbx, astray, notes), good);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0], "a mesh is connected to a model that is not there: put on \"bar\"");
+    // Where no mesh goes astray, a bone's lost connection is none of this.
+    const std::string loose = reconnected(good, 312, 311, 987'654);
+    notes.clear();
+    EXPECT_EQ(mended_text(ForeignFormat::fbx, loose, notes), loose);
+    EXPECT_TRUE(notes.empty());
+}
+
 TEST(ForeignCollada, utf_16_becomes_utf_8) {
     const std::string text =
         "<?xml version=\"1.0\" encoding=\"utf-16\"?><COLLADA>\xC3\xA9</COLLADA>";
@@ -82,15 +118,18 @@ TEST(ForeignCollada, utf_16_becomes_utf_8) {
         wide += '\0';
         i += is_accented ? 1 : 0;
     }
-    const auto mended = mended_text(ForeignFormat::collada, wide);
+    std::vector<std::string> notes;
+    const auto mended = mended_text(ForeignFormat::collada, wide, notes);
     ASSERT_TRUE(mended) << mended.error().message;
     EXPECT_EQ(*mended, "<?xml version=\"1.0\" encoding=\"utf-8\"?><COLLADA>\xC3\xA9</COLLADA>");
     EXPECT_EQ(fault(ForeignFormat::collada, wide.substr(0, wide.size() - 1)), "UTF-16 that is cut");
 }
 
 TEST(ForeignCollada, blanks_before_the_numbers_of_a_list_are_taken_out) {
-    EXPECT_EQ(mended_text(ForeignFormat::collada, "<COLLADA><p> \n 1 2 </p> <q> a</q></COLLADA>"),
-              "<COLLADA><p>1 2 </p> <q> a</q></COLLADA>");
+    std::vector<std::string> notes;
+    EXPECT_EQ(
+        mended_text(ForeignFormat::collada, "<COLLADA><p> \n 1 2 </p> <q> a</q></COLLADA>", notes),
+        "<COLLADA><p>1 2 </p> <q> a</q></COLLADA>");
 }
 
 TEST(ForeignCollada, what_assimp_would_break_at_is_refused) {

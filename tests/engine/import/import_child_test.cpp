@@ -1,12 +1,17 @@
 // Models that raks-import reads in a process of its own: what it makes of them, and what becomes of
 // us when it does not do what it should.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
+#include <fstream>
+#include <span>
+#include <thread>
 
 #include "base/pending_file.hpp"
+#include "render/import/foreign_model.hpp"
 #include "render/import/model_reader.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -16,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace render;
+using namespace std::chrono_literals;
 
 /// A square with a picture's name and a colour; metres as the file has them.
 constexpr const char* kObj = R"(mtllib square.mtl
@@ -44,6 +50,24 @@ constexpr const char* kCollada =
 <library_visual_scenes><visual_scene id="s"><node id="n" name="n"><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
+/// Says in bash that a glTF comes (5: done); its length in eight bytes and "'" must follow.
+const std::string kDone = "printf '\\x01\\0IR\\5\\0\\0\\0";
+
+/// Whether a process has ended; one that was killed may need a moment.
+bool is_gone(pid_t pid) {
+    for (int i = 0; i < 5000; ++i) {
+        std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+        std::string number;
+        std::string name;
+        std::string state;
+        if (!(stat >> number >> name >> state) || state == "Z") {
+            return true;
+        }
+        std::this_thread::yield();
+    }
+    return false;
+}
+
 std::string message(const Expected<Model>& model) {
     return model ? std::string() : model.error().message;
 }
@@ -62,6 +86,15 @@ class ImportChild : public testing::Test {
         const fs::path program = give("importer", "#!/bin/bash\n" + script);
         fs::permissions(program, fs::perms::owner_all);
         setenv("RAKS_IMPORTER", program.c_str(), 1);
+    }
+
+    /// A Collada model within a time.
+    Expected<Model> read_within(std::chrono::milliseconds longest,
+                                const std::string& bytes = kCollada) const {
+        return read_foreign_model("dae",
+                                  std::as_bytes(std::span(bytes.data(), bytes.size())),
+                                  SideFiles(fs::path(folder_ / "")),
+                                  longest);
     }
 
     const std::string importer_ = std::getenv("RAKS_IMPORTER");
@@ -111,11 +144,63 @@ TEST_F(ImportChild, that_says_nonsense_is_one_line) {
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
     EXPECT_EQ(message(load_model(file)),
               file.string() + ": its reader answered nonsense and was ended");
+    replace("while echo raks-import: all is well; do :; done >&3\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader answered nonsense and was ended");
     // A part of the right kind (5: done) with a garbled model in it.
-    replace(R"(printf '\x01\x00IR\x05\0\0\0\x08\0\0\0\0\0\0\0glTFglTF' >&3
-sleep 100
-)");
+    replace(kDone + "\\x08\\0\\0\\0\\0\\0\\0\\0glTFglTF' >&3\nsleep 100\n");
     EXPECT_EQ(message(load_model(file)), file.string() + ": as glTF: cut within its head");
+    // A file (0), which only we may send.
+    replace("printf '\\x01\\0IR\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0' >&3\nsleep 100\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader answered nonsense and was ended");
+    // Notes without end.
+    replace("while printf '\\x01\\0IR\\3\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0n'; do :; done >&3\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader answered nonsense and was ended");
+}
+
+TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
+    const fs::path file = give("x.dae", kCollada);
+    // More than any model may have.
+    replace(kDone + "\\0\\0\\0\\0\\0\\0\\0\\x10glTF' >&3\nsleep 100\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader answered nonsense and was ended");
+    // 400 MB of which four bytes come: nothing is reserved for what does not come.
+    const std::string much = kDone + "\\0\\0\\0\\x18\\0\\0\\0\\0glTF' >&3\n";
+    replace(much + "exit 0\n");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": its reader broke off (exit code 0): it is damaged, or too large");
+    replace(much + "sleep 100\n");
+    EXPECT_EQ(message(read_within(200ms)), "its reader took more than 0.2 s and was ended");
+    // A glTF of 20 bytes that says it has 200.
+    replace(kDone +
+            "\\x14\\0\\0\\0\\0\\0\\0\\0glTF\\2\\0\\0\\0\\xc8\\0\\0\\0\\0\\0\\0\\0JSON' >&3\n");
+    const std::string said = message(load_model(file));
+    EXPECT_EQ(said.rfind(file.string() + ": as glTF: ", 0), 0U) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+}
+
+TEST_F(ImportChild, that_hangs_is_ended_with_all_that_it_started) {
+    const fs::path started = folder_ / "started";
+    const std::string note = "sleep 1000 & echo $! > " + started.string() + "\n";
+    const char* const kWays[] = {
+        "wait\n",                                       // it never reads
+        "cat <&3 >/dev/null\n",                         // it reads and says nothing
+        "trap '' TERM INT HUP\nwhile :; do :; done\n",  // it is busy and does not listen
+    };
+    for (const char* const way : kWays) {
+        SCOPED_TRACE(way);
+        replace(note + way);
+        // More than a socket takes at once.
+        EXPECT_EQ(message(read_within(500ms, std::string(4'000'000, ' '))),
+                  "its reader took more than 0.5 s and was ended");
+        pid_t helper = 0;
+        std::ifstream(started) >> helper;
+        ASSERT_GT(helper, 0);
+        EXPECT_TRUE(is_gone(helper));
+        EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child of ours is left
+    }
 }
 
 TEST_F(ImportChild, that_is_not_there_is_one_line) {
