@@ -74,6 +74,7 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
                                     clock,
                                     stage.dancer.is_dancing,
                                     stage.dancer.octave,
+                                    stage.dancer.reanchors,
                                     stage.track().at(moment)});
     }
     return watched;

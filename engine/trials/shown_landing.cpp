@@ -10,7 +10,7 @@ namespace raks::engine {
 namespace {
 
 constexpr double kShownPosesPerSecond = 60.0;
-// Seconds after the start of the dance from which landings are judged.
+// Seconds after the start of the dance, or of its last count 1, from which landings are judged.
 constexpr double kBlendIn = 4.0;
 // Seconds of dancing that are needed for a judgement.
 constexpr double kLeastSeconds = 10.0;
@@ -135,9 +135,10 @@ std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures
                                           const audio::GeneratedMusic& music,
                                           const motion::FigureModel& figure,
                                           const motion::Skeleton& skeleton) {
-    // Judged from the first picture that dances on.
-    const auto first = std::find_if(
-        pictures.begin(), pictures.end(), [](const auto& picture) { return picture.is_dancing; });
+    // Judged from the first picture that dances on by the count that lasts.
+    const auto first = std::find_if(pictures.begin(), pictures.end(), [&](const auto& picture) {
+        return picture.is_dancing && picture.reanchors == pictures.back().reanchors;
+    });
     if (first == pictures.end() || pictures.back().octave != 1.0 ||
         to_seconds(pictures.back().at - first->at) < kLeastSeconds) {
         return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,12 +17,13 @@ namespace raks::engine {
 
 /// One picture as `play` would have shown it.
 struct ShownPicture {
-    HostTime at{};            ///< CLOCK_MONOTONIC when it was drawn: late wake-ups stay late
-    StreamTime moment{};      ///< of the music, as the graph chose it
-    engine::ClockLine clock;  ///< of the graph, then
-    bool is_dancing = false;  ///< false while the dancer stands
-    double octave = 1.0;      ///< dance beats per beat of the music
-    motion::Pose pose;        ///< of the measured dancer, as drawn
+    HostTime at{};                ///< CLOCK_MONOTONIC when it was drawn: late wake-ups stay late
+    StreamTime moment{};          ///< of the music, as the graph chose it
+    engine::ClockLine clock;      ///< of the graph, then
+    bool is_dancing = false;      ///< false while the dancer stands
+    double octave = 1.0;          ///< dance beats per beat of the music
+    std::uint32_t reanchors = 0;  ///< how often count 1 was set anew before
+    motion::Pose pose;            ///< of the measured dancer, as drawn
 };
 
 /// Relates host time and the music that was out at it: straight lines between the beats that were
@@ -65,8 +67,8 @@ struct ShownLanding {
 /// there onto a regular grid of 60 a second. Count 1 is put on a downbeat of the generated music;
 /// the dancer's phase and the tracker's bars are not used. A figure of 8 counts takes two bars, and
 /// the music does not say which is the first: of the two, the one with fewer missing landings is
-/// taken. Judged from 4 s after the dance began. Nothing when the dance is shorter than 10 s or not
-/// danced beat by beat (octave).
+/// taken. Judged from 4 s after the dance began or count 1 was last set anew. Nothing when the
+/// dance is shorter than 10 s or not danced beat by beat (octave).
 [[nodiscard]] std::optional<ShownLanding> shown_landing(std::span<const ShownPicture> pictures,
                                                         const SoundLine& sound,
                                                         const audio::GeneratedMusic& music,

@@ -10,6 +10,7 @@ constexpr double kMostCorrection = 0.2;  // of the rate
 constexpr double kGain = 2.5;            // of the error in beats, a second
 constexpr double kApart = 1.0;       // beats of error that are re-anchored rather than danced off
 constexpr int kApartHops = 100;      // hops (1 s) that the error must last
+constexpr double kBarsOff = 2.0;     // for which count 1 must lie beside the downbeat
 constexpr double kPause = 1.0;       // beats before a figure's end in which the phase may jump
 constexpr double kMostSlew = 0.025;  // change of the rate a hop, as a share of it
 // Middle of the chosen paces, 0.70 to 1.40 (geometric mean). Of two octaves whose pace is equally
@@ -66,6 +67,24 @@ void DancePhase::start(const BeatGrid& grid,
     phase_ = std::max(Beats(0.0), wanted(grid, now));
     rate_ = octave_ * grid.tempo.beats_per_second();
     hops_apart_ = 0;
+    hops_off_bar_ = 0;
+}
+
+void DancePhase::compare_with_bar(const BeatGrid& grid, const DanceMetre& metre) noexcept {
+    const double bars = (origin_ - grid.bar_origin).count() / grid.beats_per_bar;
+    const int off =
+        grid.beats_per_bar == metre.beats_per_bar
+            ? static_cast<int>(std::lround(grid.beats_per_bar * (bars - std::round(bars))))
+            : 0;
+    hops_off_bar_ = off != 0 && off == beats_off_bar_ ? hops_off_bar_ + 1 : 0;
+    beats_off_bar_ = off;
+}
+
+// A tracker that is not sure of its bar goes to and fro: a count that follows it would never be
+// danced to its end.
+bool DancePhase::has_lost_bar(const BeatGrid& grid) const noexcept {
+    const double bar = grid.beats_per_bar * grid.tempo.seconds_per_beat();
+    return hops_off_bar_ * to_seconds(kHop) > kBarsOff * bar;
 }
 
 void DancePhase::change_octave(double octave,
@@ -107,8 +126,12 @@ bool DancePhase::advance(const BeatGrid& grid,
     const double slew = kMostSlew * music_rate;
     rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
-    if (hops_apart_ > kApartHops && (figure_end - phase_).count() <= kPause) {
+    compare_with_bar(grid, metre);
+    const bool has_lost_bar = this->has_lost_bar(grid);
+    if ((hops_apart_ > kApartHops || has_lost_bar) && (figure_end - phase_).count() <= kPause) {
+        origin_ = has_lost_bar ? origin_ - Beats(beats_off_bar_) : origin_;
         hops_apart_ = 0;
+        hops_off_bar_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;
         return true;

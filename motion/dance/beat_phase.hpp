@@ -19,8 +19,10 @@ struct DanceMetre {
 ///
 /// It never runs backward while it follows: its rate is the music's, corrected by at most +-20 %.
 /// An error that stays above one beat for a second is not danced off but re-anchored, during the
-/// last beat of a figure, where no step lands. A change of octave begins where the count 1 of both
-/// falls on a downbeat. Threads: one. Real-time: yes.
+/// last beat of a figure, where no step lands. So is a count 1 that for two bars has lain on
+/// another beat than the music's downbeat, because the bar was found late or was found anew; a
+/// dance whose bar has other beats than the music's keeps its count. A change of octave begins
+/// where the count 1 of both falls on a downbeat. Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.
@@ -53,12 +55,16 @@ class DancePhase {
                        const DanceMetre& metre,
                        StreamTime now) noexcept;
     [[nodiscard]] Beats wanted(const BeatGrid& grid, StreamTime now) const noexcept;
+    void compare_with_bar(const BeatGrid& grid, const DanceMetre& metre) noexcept;
+    [[nodiscard]] bool has_lost_bar(const BeatGrid& grid) const noexcept;
 
     Beats origin_{};  // beat of the music on which count 1 fell
     Beats phase_{};
     double octave_ = 1.0;
     double rate_ = 2.0;
     int hops_apart_ = 0;
+    int beats_off_bar_ = 0;  // from count 1 back to the nearest downbeat
+    int hops_off_bar_ = 0;   // for which that was the same, and not 0
 };
 
 /// The octave whose pace, tempo x octave / learnt tempo, lies in [0.70, 1.40], or nearest to that.

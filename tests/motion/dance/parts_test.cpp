@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <numeric>
 
@@ -277,6 +278,53 @@ TEST(DancePhase, is_monotone_and_close_to_the_music_on_a_ramp) {
         last = phase.phase().count();
         ASSERT_NEAR(last, here.count(), 0.05) << hop;
     }
+}
+
+/// Dances figures of eight beats for 20 s at 120 BPM. `bar_origin` says where the downbeat is at
+/// each hop. Returns in which hops the phase was anchored anew.
+std::vector<HopIndex> reanchors_of(DancePhase& phase,
+                                   BeatGrid& grid,
+                                   const DanceMetre& metre,
+                                   const std::function<Beats(HopIndex)>& bar_origin) {
+    std::vector<HopIndex> hops;
+    phase.start(grid, Beats(0.0), metre, StreamTime{});
+    double end = 8.0;
+    for (HopIndex hop = 1; hop < 2000; ++hop) {
+        grid.bar_origin = bar_origin(hop);
+        const double before = phase.phase().count();
+        if (phase.advance(grid, metre, Beats(end), time_of_hop(hop))) {
+            EXPECT_GE(before, end - 1.0) << "before the last beat of a figure";
+            hops.push_back(hop);
+        }
+        end = 8.0 * (std::floor(phase.phase().count() / 8.0) + 1.0);
+    }
+    return hops;
+}
+
+TEST(DancePhase, takes_count_1_to_a_downbeat_that_was_found_late) {
+    for (const int late : {1, 2, 3}) {
+        for (const double tempo : {70.0, 120.0}) {  // the slower one is danced at double pace
+            DancePhase phase;
+            BeatGrid grid = test::steady_grid(tempo);
+            const auto hops = reanchors_of(phase, grid, {Bpm(140.0), 4}, [&](HopIndex hop) {
+                return Beats(hop < 100 ? 0.0 : late);
+            });
+            EXPECT_EQ(hops.size(), 1U) << late;
+            const double beats = phase.phase().count() / phase.octave();
+            const double bars =
+                (grid.beats_at(time_of_hop(1999)).count() - grid.bar_origin.count() - beats) / 4.0;
+            EXPECT_NEAR(bars, std::round(bars), 0.02) << late << " " << tempo;
+        }
+    }
+}
+
+TEST(DancePhase, does_not_follow_a_bar_that_goes_to_and_fro_or_has_other_beats) {
+    DancePhase phase;
+    BeatGrid grid = test::steady_grid(120.0);
+    const auto to_and_fro = [](HopIndex hop) { return Beats(hop / 300 % 2 == 0 ? 0.0 : 2.0); };
+    EXPECT_TRUE(reanchors_of(phase, grid, {Bpm(120.0), 4}, to_and_fro).empty());
+    const auto late = [](HopIndex) { return Beats(2.0); };
+    EXPECT_TRUE(reanchors_of(phase, grid, {Bpm(120.0), 3}, late).empty());
 }
 
 TEST(Octave, keeps_what_it_has_until_it_does_not_fit) {
