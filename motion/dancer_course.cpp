@@ -17,6 +17,7 @@ constexpr double kPaceShare = 0.01;   // a hop; smooths the pace over about a se
 constexpr double kLeadShare = 0.01;   // a hop; another figure's lead takes about a second
 constexpr float kFeltShare = 0.02F;   // a hop; a beat is felt within about half a second
 constexpr int kMostBarsUnwanted = 1;  // that a dance is danced on to turn to the front
+constexpr double kLastBeat = 1.0;     // of a figure: no step lands in it
 constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a step
 
 constexpr double kRiseInPhrase = 0.3;  // of the energy, from its middle to its end
@@ -95,7 +96,13 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     const double own_rate = content().metre.learnt_tempo.beats_per_second();
     // Smoothed, since the phase's rate also holds its corrections.
     pace += kPaceShare * (phase.rate() / own_rate - pace);
-    const bool has_reanchored = phase.advance(music.grid, metre, sequence.end(), music.time);
+    bool has_reanchored = phase.advance(music.grid, metre, sequence.end(), music.time);
+    // With dynamics the dancer waits for the bar (dancer_stillness.cpp).
+    if (phase.beats_off_bar() != 0 && !has_dynamics() &&
+        (sequence.end() - phase.phase()).count() <= kLastBeat) {
+        phase.take_bar();
+        has_reanchored = true;
+    }
     if (has_reanchored) {
         sequence.jump(phase.phase());
     }
@@ -141,6 +148,8 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
+    } else if (has_dynamics() && wait_for_bar(music)) {
+        return;
     } else if (has_dynamics() && !is_unwanted && pause_at_phrase_end(music)) {
         return;
     } else if (has_reanchored) {

@@ -34,7 +34,7 @@ inline constexpr double kHandsBack = 0.70;
 struct Dancer::Course {
     /// Why the dance stands still.
     enum class Cause : std::uint8_t {
-        phrase,  ///< a phrase ends, and this dancer chose to pause
+        phrase,  ///< a phrase ends and this dancer chose to pause, or the bar is waited for
         stop,    ///< the music stopped
         ending,  ///< the song is over
     };
@@ -109,6 +109,7 @@ struct Dancer::State : Dancer::Course {
     void leave(const MusicState& music) noexcept;
     void settle(StreamTime now) noexcept;
     void bow(StreamTime now) noexcept;
+    [[nodiscard]] bool wait_for_bar(const MusicState& music) noexcept;
     [[nodiscard]] bool pause_at_phrase_end(const MusicState& music) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;

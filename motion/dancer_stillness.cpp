@@ -130,6 +130,21 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
     return false;
 }
 
+/// Waits at the end of a figure for the downbeat, where count 1 has lain on another beat: the last
+/// posture is held for as many beats as are missing.
+bool Dancer::State::wait_for_bar(const MusicState& music) noexcept {
+    const double left = (sequence.end() - phase.phase()).count();
+    if (phase.beats_off_bar() == 0 || left > 2.0 * kPauseKey + kStepIn) {
+        return false;
+    }
+    stand_still(music, Cause::phrase, kPauseKey, kPauseKey);
+    // What is danced unseen goes back, so that the figure ends on the downbeat.
+    phase.take_bar();
+    ++reanchors;
+    resumes = sequence.end() - Beats(kStepIn);
+    return true;
+}
+
 /// Pauses at the end of a phrase, if the draw for this phrase says so and a figure ends with it:
 /// where the figure leaves both feet standing for long enough; at the last moment anywhere, and
 /// steps are left out.

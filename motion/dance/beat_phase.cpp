@@ -68,23 +68,28 @@ void DancePhase::start(const BeatGrid& grid,
     rate_ = octave_ * grid.tempo.beats_per_second();
     hops_apart_ = 0;
     hops_off_bar_ = 0;
+    has_lost_bar_ = false;
 }
 
+// A tracker that is not sure of its bar goes to and fro: a count that followed it would never be
+// danced to its end.
 void DancePhase::compare_with_bar(const BeatGrid& grid, const DanceMetre& metre) noexcept {
-    const double bars = (origin_ - grid.bar_origin).count() / grid.beats_per_bar;
+    const int bar = grid.beats_per_bar;
+    const auto from_origin = std::lround((grid.bar_origin - origin_).count());
     const int off =
-        grid.beats_per_bar == metre.beats_per_bar
-            ? static_cast<int>(std::lround(grid.beats_per_bar * (bars - std::round(bars))))
-            : 0;
+        bar == metre.beats_per_bar ? static_cast<int>((from_origin % bar + bar) % bar) : 0;
     hops_off_bar_ = off != 0 && off == beats_off_bar_ ? hops_off_bar_ + 1 : 0;
     beats_off_bar_ = off;
+    has_lost_bar_ =
+        hops_off_bar_ * to_seconds(kHop) > kBarsOff * bar * grid.tempo.seconds_per_beat();
 }
 
-// A tracker that is not sure of its bar goes to and fro: a count that follows it would never be
-// danced to its end.
-bool DancePhase::has_lost_bar(const BeatGrid& grid) const noexcept {
-    const double bar = grid.beats_per_bar * grid.tempo.seconds_per_beat();
-    return hops_off_bar_ * to_seconds(kHop) > kBarsOff * bar;
+void DancePhase::take_bar() noexcept {
+    const Beats back = Beats(beats_off_bar());
+    origin_ = origin_ + back;
+    phase_ = std::max(Beats(0.0), phase_ - octave_ * back);
+    hops_off_bar_ = 0;
+    has_lost_bar_ = false;
 }
 
 void DancePhase::change_octave(double octave,
@@ -127,11 +132,8 @@ bool DancePhase::advance(const BeatGrid& grid,
     rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
     hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
     compare_with_bar(grid, metre);
-    const bool has_lost_bar = this->has_lost_bar(grid);
-    if ((hops_apart_ > kApartHops || has_lost_bar) && (figure_end - phase_).count() <= kPause) {
-        origin_ = has_lost_bar ? origin_ - Beats(beats_off_bar_) : origin_;
+    if (hops_apart_ > kApartHops && (figure_end - phase_).count() <= kPause) {
         hops_apart_ = 0;
-        hops_off_bar_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;
         return true;

@@ -19,10 +19,8 @@ struct DanceMetre {
 ///
 /// It never runs backward while it follows: its rate is the music's, corrected by at most +-20 %.
 /// An error that stays above one beat for a second is not danced off but re-anchored, during the
-/// last beat of a figure, where no step lands. So is a count 1 that for two bars has lain on
-/// another beat than the music's downbeat, because the bar was found late or was found anew; a
-/// dance whose bar has other beats than the music's keeps its count. A change of octave begins
-/// where the count 1 of both falls on a downbeat. Threads: one. Real-time: yes.
+/// last beat of a figure, where no step lands. A change of octave begins where the count 1 of both
+/// falls on a downbeat. Threads: one. Real-time: yes.
 class DancePhase {
  public:
     /// Starts the figure: its count 1 falls on `downbeat`.
@@ -44,6 +42,12 @@ class DancePhase {
     [[nodiscard]] Beats phase_after(Nanos ahead) const noexcept {
         return phase_ + Beats(rate_ * to_seconds(ahead));
     }
+    /// Beats of the music by which the phase must go back for count 1 to fall on a downbeat: not 0
+    /// when for two bars that has been so by the same number, because the bar was found late or
+    /// anew. 0 also where the dance's bar has other beats than the music's.
+    [[nodiscard]] int beats_off_bar() const noexcept { return has_lost_bar_ ? beats_off_bar_ : 0; }
+    /// Goes back by beats_off_bar().
+    void take_bar() noexcept;
     /// Dance beats a beat of the music: 0.5, 1 or 2.
     [[nodiscard]] double octave() const noexcept { return octave_; }
     /// Dance beats a second.
@@ -56,15 +60,15 @@ class DancePhase {
                        StreamTime now) noexcept;
     [[nodiscard]] Beats wanted(const BeatGrid& grid, StreamTime now) const noexcept;
     void compare_with_bar(const BeatGrid& grid, const DanceMetre& metre) noexcept;
-    [[nodiscard]] bool has_lost_bar(const BeatGrid& grid) const noexcept;
 
     Beats origin_{};  // beat of the music on which count 1 fell
     Beats phase_{};
     double octave_ = 1.0;
     double rate_ = 2.0;
     int hops_apart_ = 0;
-    int beats_off_bar_ = 0;  // from count 1 back to the nearest downbeat
+    int beats_off_bar_ = 0;  // from count 1 to the next downbeat
     int hops_off_bar_ = 0;   // for which that was the same, and not 0
+    bool has_lost_bar_ = false;
 };
 
 /// The octave whose pace, tempo x octave / learnt tempo, lies in [0.70, 1.40], or nearest to that.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -189,6 +190,38 @@ TEST(Dynamics, switched_off_nothing_but_the_beat_is_followed) {
     }
 }
 
+// Music whose bar is found after 3 s: until then another beat is taken for the downbeat.
+MusicState late_bar(HopIndex hop, int beats_off) {
+    MusicState music = playing(hop);
+    music.grid.bar_origin = Beats(hop < 300 ? 0.0 : beats_off);
+    return music;
+}
+
+TEST(Dynamics, a_bar_that_is_found_late_is_waited_for) {
+    for (const Dynamics dynamics : {Dynamics::on, Dynamics::off}) {
+        for (const int beats_off : {1, 2, 3}) {
+            Dancer dancer;
+            DancerPart part;
+            part.dynamics = dynamics;
+            ASSERT_TRUE(dancer.prepare(
+                Repertoire::of_one(test::salsa_library()), mannequin_skeleton(), part));
+            const auto track = std::make_unique<PoseTrack>();
+            std::vector<Pose> poses;
+            for (HopIndex hop = 0; hop < 2000; ++hop) {
+                dancer.advance(late_bar(hop, beats_off), *track);
+                poses.push_back(track->at_hop(hop));
+            }
+            EXPECT_EQ(dancer.status().reanchors, 1U);
+            const BeatGrid grid = late_bar(1999, beats_off).grid;
+            const double off =
+                grid.bar_position(grid.beats_at(time_of_hop(1999))) - dancer.status().phase;
+            EXPECT_NEAR(std::remainder(off, 4.0), 0.0, 0.05) << "count 1 is on the downbeat";
+            EXPECT_LT(test::largest_step(poses, 1, static_cast<HopIndex>(poses.size()) - 1),
+                      test::kFastestStep);
+        }
+    }
+}
+
 TEST(Dynamics, stops_and_endings_keep_the_real_time_rules) {
     Dancer dancer;
     ASSERT_TRUE(dancer.prepare(
@@ -198,6 +231,11 @@ TEST(Dynamics, stops_and_endings_keep_the_real_time_rules) {
     for (HopIndex hop = 0; hop < 4000; ++hop) {
         dancer.advance(stopping(hop, 1500 + 1000 * (hop / 2200), 1700 + 2000 * (hop / 2200)),
                        *track);
+    }
+    for (HopIndex hop = 4000; hop < 6000; ++hop) {
+        MusicState music = playing(hop);
+        music.grid.bar_origin = Beats(2.0);
+        dancer.advance(music, *track);
     }
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
