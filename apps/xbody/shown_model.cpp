@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/printable.hpp"
@@ -15,6 +16,7 @@
 #include "render/model/model_survey.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace raks::apps {
 namespace {
@@ -170,9 +172,7 @@ render::Camera camera_before(const ShownModel& model,
         render::find_camera(view).value_or(render::find_camera("front").value_or(render::Camera{}));
     camera.pitch = view == "top" ? render::Camera::kMaxPitch : render::Camera::kMinPitch;
     std::vector<glm::vec3> points;
-    for (const glm::mat4& joint : shown.state.joints.world) {
-        points.emplace_back(joint[3]);
-    }
+    float largest = std::numeric_limits<float>::infinity();
     if (const auto box = render::rest_box(model.figure.model)) {
         // Where the body is now, as large as at rest.
         const float scale = model.figure.options.scale;
@@ -181,6 +181,17 @@ render::Camera camera_before(const ShownModel& model,
         const glm::vec3 moved = shown.pose.hips_position - model.avatar->skeleton.offsets[0];
         const auto corners = corners_of(box->low * size + moved, box->high * size + moved);
         points.insert(points.end(), corners.begin(), corners.end());
+        largest = glm::distance(corners.front(), corners.back());
+    }
+    // Joints that carry nothing may be anywhere: those that are farther than it is large are not
+    // looked at.
+    const glm::vec3 middle =
+        points.empty() ? glm::vec3(0.0F) : 0.5F * (points.front() + points.back());
+    for (const glm::mat4& joint : shown.state.joints.world) {
+        const glm::vec3 place(joint[3]);
+        if (glm::distance(middle, place) <= largest) {
+            points.push_back(place);
+        }
     }
     return points.empty() ? camera : camera_before(camera, points, aspect);
 }

@@ -1,11 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/printable.hpp"
 #include "engine/import/scene_parts.hpp"
 #include "render/import/image.hpp"
+#include "render/import/plain_picture.hpp"
 #include "render/import/srgb.hpp"
 
 #include <assimp/material.h>
@@ -148,17 +153,28 @@ class MaterialImport {
         return {};
     }
 
+    /// As a glTF has it. Errors: it is no picture that is read.
+    static Expected<std::vector<std::byte>> packed_picture(const std::string& path,
+                                                           std::span<const std::byte> bytes) {
+        if (render::is_plain_picture(bytes, path)) {
+            return render::png_of_plain_picture(bytes);
+        }
+        const auto head = render::look_at_image(bytes);
+        return head ? Expected<std::vector<std::byte>>(std::vector(bytes.begin(), bytes.end()))
+                    : fail(head.error());
+    }
+
     int add_texture(const std::string& path, const std::string& bytes) {
-        const auto packed = std::as_bytes(std::span(bytes.data(), bytes.size()));
-        if (const auto head = render::look_at_image(packed); !head) {
+        auto packed = packed_picture(path, std::as_bytes(std::span(bytes.data(), bytes.size())));
+        if (!packed) {
             import_.ways.note(fmt::format(
-                "picture \"{}\" left out: {}", printable(path, 80), head.error().message));
+                "picture \"{}\" left out: {}", printable(path, 80), packed.error().message));
             return -1;
         }
         render::ModelImage image;
         const std::size_t slash = path.find_last_of("/\\");
         image.name = slash == std::string::npos ? path : path.substr(slash + 1);
-        image.packed.assign(packed.begin(), packed.end());
+        image.packed = std::move(*packed);
         render::ModelTexture texture;
         texture.image = static_cast<int>(import_.model.images.size());
         import_.model.images.push_back(std::move(image));

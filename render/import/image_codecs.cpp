@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
+#include <string>
 
 // libpng and libjpeg leave by longjmp. Each jump here ends in the function that called the library,
 // which holds nothing with a destructor: what must be freed is the caller's.
@@ -179,6 +180,24 @@ bool unpack_webp(std::span<const std::byte> packed, Image& image, CodecFault& fa
         keep(fault, "broken WebP");
     }
     return is_good;
+}
+
+Expected<std::vector<std::byte>> pack_png(const Image& image) {
+    png_image head{};
+    head.version = PNG_IMAGE_VERSION;
+    head.width = static_cast<png_uint_32>(image.width);
+    head.height = static_cast<png_uint_32>(image.height);
+    head.format = PNG_FORMAT_RGBA;
+    head.flags = PNG_IMAGE_FLAG_FAST;
+    // As libpng counts: whatever the pixels are, they have room.
+    std::vector<std::byte> packed(PNG_IMAGE_PNG_SIZE_MAX(head));
+    png_alloc_size_t size = packed.size();
+    if (png_image_write_to_memory(
+            &head, packed.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
+        return fail(std::string("cannot be packed as PNG: ") + head.message);
+    }
+    packed.resize(size);
+    return packed;
 }
 
 Expected<ImageHead> look_at_webp(std::span<const std::byte> packed) {

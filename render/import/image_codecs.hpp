@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "render/import/image.hpp"
 
@@ -18,6 +19,10 @@ struct CodecFault {
 bool unpack_png(std::span<const std::byte> packed, Image& image, CodecFault& fault);
 bool unpack_jpeg(std::span<const std::byte> packed, Image& image, CodecFault& fault);
 bool unpack_webp(std::span<const std::byte> packed, Image& image, CodecFault& fault);
+
+/// Packs a picture as PNG, fast rather than small. Errors: what libpng says. Threads: any.
+/// Real-time: no.
+[[nodiscard]] Expected<std::vector<std::byte>> pack_png(const Image& image);
 
 /// The head of a WebP file.
 [[nodiscard]] Expected<ImageHead> look_at_webp(std::span<const std::byte> packed);

@@ -11,6 +11,7 @@
 #include "base/printable.hpp"
 #include "render/import/model_images.hpp"
 #include "render/import/notes.hpp"
+#include "render/import/plain_picture.hpp"
 #include "render/import/srgb.hpp"
 
 #include <glm/common.hpp>
@@ -182,6 +183,14 @@ class MaterialAdder {
         if (!bytes || !budget_.claim(bytes->size(), 1)) {
             warn(model_,
                  fmt::format("texture left out: {}", bytes ? "too large" : bytes.error().message));
+            return -1;
+        }
+        if (is_plain_picture(*bytes, texture)) {
+            bytes = png_of_plain_picture(*bytes);
+        }
+        if (!bytes) {
+            warn(model_,
+                 fmt::format("texture \"{}\" left out: {}", image.name, bytes.error().message));
             return -1;
         }
         image.packed = std::move(*bytes);

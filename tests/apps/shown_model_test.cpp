@@ -6,6 +6,7 @@
 
 #include "apps/xbody/skeleton_view.hpp"
 #include "base/pending_file.hpp"
+#include "render/import/standing_figure.hpp"
 #include "tests/render/import/tiny_tds.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -54,6 +55,29 @@ TEST_F(ShownModels, a_figure_fills_the_picture_from_every_side_and_no_bone_is_cu
         EXPECT_GT(std::max((highest - lowest) / kBox.height, (rightmost - leftmost) / kBox.width),
                   0.4F)
             << view;
+    }
+}
+
+TEST_F(ShownModels, things_of_any_size_anywhere_fill_the_picture) {
+    for (const auto& [size, place] : {std::pair{1.0F, glm::vec3(0.0F)},
+                                      {360.0F, glm::vec3(0.0F)},
+                                      {1e6F, glm::vec3(0.0F)},
+                                      {1e-9F, glm::vec3(0.0F)},
+                                      {10.0F, glm::vec3(2000.0F, -500.0F, 1000.0F)}}) {
+        SCOPED_TRACE(size);
+        const std::string thing = test::tds::file(test::tds::object(
+            test::tds::box("bar", place, size * glm::vec3(0.1F, 0.1F, 0.5F), glm::vec3(0.0F))));
+        ASSERT_TRUE(write_file(folder_ / "bar.3ds", thing));
+        const auto model = load_shown_model(
+            {.file = folder_ / "bar.3ds", .options = {}, .motion = {}, .joints = {}});
+        ASSERT_TRUE(model) << model.error().message;
+        const ShownPose shown(*model);
+        const render::Camera camera = camera_before(*model, shown, "front", 1.0F);
+        // It is as tall as a figure, and stands in the middle.
+        EXPECT_NEAR(camera.target.y, 0.5F * render::kUsualHeight, 0.01F);
+        EXPECT_NEAR(camera.target.x, 0.0F, 0.01F);
+        EXPECT_GT(camera.distance, 1.0F);
+        EXPECT_LT(camera.distance, 5.0F);
     }
 }
 

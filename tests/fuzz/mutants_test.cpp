@@ -1,7 +1,8 @@
 // Damaged files through the program itself, over all readers: whatever lies in a file, the program
 // ends soon, says one line, and leaves nothing behind. By itself the test tries one file for each
 // reader. RAKS_MUTANTS=20000 tries 20,000, RAKS_MODEL_MUTANTS=2000 that many of models and their
-// motion; RAKS_MUTANTS_SEED is the seed of the first, and each further one has the next seed.
+// motion, RAKS_MUTANTS_OF=FBX those of one door alone; RAKS_MUTANTS_SEED is the seed of the first,
+// and each further one has the next seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,6 +61,7 @@ class Mutants : public ProgramTest {
     void add_motion();
     void add_settings();
     void add_models();
+    void choose_doors();
     void try_all(const char* count_name);
     void try_one(const Door& door, std::uint64_t seed);
     void note(const Door& door, std::uint64_t seed, const std::string& what);
@@ -118,12 +120,16 @@ void Mutants::add_models() {
         doors_.push_back(
             {name, file, source(folder + name), {"avatar", "show", path(file)}, Form::glb, {}});
     }
-    doors_.push_back({"3DS",
-                      "m.3ds",
-                      source(folder + "derived_kenney_character.3ds"),
-                      {"avatar", "show", path("m.3ds")},
-                      Form::bytes,
-                      {}});
+    for (const auto& [door, name, form] :
+         {std::tuple("3DS", "derived_kenney_character.3ds", Form::bytes),
+          std::tuple("FBX", "bent_bar.fbx", Form::bytes),
+          std::tuple("FBX as text", "bent_bar_text.fbx", Form::text),
+          std::tuple("Collada", "bent_bar.dae", Form::text),
+          std::tuple("OBJ", "bent_bar.obj", Form::text)}) {
+        const std::string file = "m" + fs::path(name).extension().string();
+        doors_.push_back(
+            {door, file, source(folder + name), {"avatar", "show", path(file)}, form, {}});
+    }
     const std::string whole = std::string(RAKS_SOURCE_DIR) + "/" + folder + "six_poses.vrma";
     for (const std::string name : {"smoke_spring.vrm", "Godette_vrm_v4.vrm"}) {
         doors_.push_back({"posed " + name,
@@ -336,7 +342,22 @@ void Mutants::try_one(const Door& door, std::uint64_t seed) {
     }
 }
 
+/// All, or the one that is asked for.
+void Mutants::choose_doors() {
+    const char* const asked = std::getenv("RAKS_MUTANTS_OF");  // NOLINT(concurrency-mt-unsafe)
+    if (asked != nullptr) {
+        doors_.erase(
+            std::remove_if(
+                doors_.begin(), doors_.end(), [&](const Door& door) { return door.name != asked; }),
+            doors_.end());
+    }
+}
+
 void Mutants::try_all(const char* count_name) {
+    choose_doors();
+    if (doors_.empty()) {
+        GTEST_SKIP() << "not asked for";
+    }
     for (const std::string& name : files()) {
         usual_.insert(name);
     }

@@ -58,7 +58,14 @@ std::span<const Reader> readers() {
         {"moves", read_moves_file, {}, 2000},
         {"edits", read_edits_file, {}, 2000},
 #ifdef RAKS_IMPORT_IS_BUILT
-        {"foreign_text", read_foreign_text, {}, 3000, Content::bytes},
+        {"foreign_text",
+         read_foreign_text,
+         {"tests/data/avatars/bent_bar.fbx",
+          "tests/data/avatars/bent_bar_text.fbx",
+          "tests/data/avatars/bent_bar.dae",
+          "tests/data/avatars/bent_bar.obj"},
+         3000,
+         Content::bytes},
 #endif
         {"model",
          read_model_file,
@@ -69,6 +76,7 @@ std::span<const Reader> readers() {
          {"tests/data/avatars/derived_kenney_character.3ds"},
          2000,
          Content::bytes},
+        {"plain_picture", read_plain_picture_file, {}, 2000, Content::bytes},
     };
     return all;
 }

@@ -14,6 +14,7 @@
 #include "render/import/image.hpp"
 #include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
+#include "render/import/plain_picture.hpp"
 #include "render/import/standing_figure.hpp"
 #include "render/model/model_survey.hpp"
 #include "tests/fuzz/readers.hpp"
@@ -222,6 +223,18 @@ bool read_model_named(const char* name, std::string_view text) {
 bool read_model_file(std::string_view text) { return read_model_named("x.vrm", text); }
 
 bool read_tds_file(std::string_view bytes) { return read_model_named("x.3ds", bytes); }
+
+bool read_plain_picture_file(std::string_view bytes) {
+    const auto file = std::as_bytes(std::span(bytes.data(), bytes.size()));
+    const auto image = render::read_plain_picture(file);
+    if (!image) {
+        promise(image.error().message.find('\n') == std::string::npos);
+        return false;
+    }
+    promise(image->pixels.size() ==
+            4 * static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height));
+    return true;
+}
 
 bool read_bone_label_file(std::string_view text) {
     const auto labels = render::read_bone_labels(text, "x.toml");
