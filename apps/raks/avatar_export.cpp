@@ -1,16 +1,23 @@
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/avatar_model.hpp"
 #include "engine/show/given_away.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/posed_text.hpp"
 #include "render/export/glb_writer.hpp"
+#include "render/export/segmented_model.hpp"
+#include "render/export/tds_writer.hpp"
 #include "render/export/vrm_writer.hpp"
+#include "render/import/humanoid_labels.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
@@ -41,14 +48,69 @@ Expected<void> complete_licence(const AvatarExportArguments& arguments, render::
     return {};
 }
 
+/// A figure cut into rigid parts as it stands, any other thing as it is stored.
+Expected<render::Model> load_segmented(const Path& file, const engine::AvatarOptions& options) {
+    auto stored = render::load_model(file);
+    if (!stored) {
+        return stored;
+    }
+    const bool is_figure = engine::find_bones(*stored, options.labels) &&
+                           render::missing_bones(stored->character.humanoid).empty();
+    if (!is_figure && options.labels.empty()) {
+        stored->warnings.emplace_back("it is no figure: it is written as it is stored");
+        return render::segmented_model(*stored);
+    }
+    const auto figure = engine::load_to_give_away(file, options);
+    return figure ? Expected<render::Model>(render::segmented_model(*figure))
+                  : fail(figure.error());
+}
+
 /// The model that is meant, in the way that its format has figures.
 Expected<render::Model> model_of(const AvatarExportArguments& arguments, const Path& file) {
+    const std::string ending = arguments.output.extension().string();
     if (file.empty()) {
-        return engine::mannequin_to_give_away();
+        return ending == ".3ds" ? render::segmented_model(engine::mannequin_to_give_away())
+                                : engine::mannequin_to_give_away();
     }
-    return arguments.output.extension() == ".vrm"
-               ? engine::load_to_give_away(file, arguments.options)
-               : render::load_model(file);
+    return ending == ".vrm"   ? engine::load_to_give_away(file, arguments.options)
+           : ending == ".3ds" ? load_segmented(file, arguments.options)
+                              : render::load_model(file);
+}
+
+/// Which part is which bone, for Raks and for people.
+Expected<void> write_labels(const render::Model& model,
+                            const std::vector<std::string>& names,
+                            const Path& output) {
+    std::vector<render::BoneLabel> labels;
+    const auto& bones = model.character.humanoid.nodes;
+    for (std::size_t i = 0; i < bones.size(); ++i) {
+        if (bones[i] >= 0) {
+            labels.push_back({.bone = static_cast<motion::Bone>(i),
+                              .node = names[static_cast<std::size_t>(bones[i])]});
+        }
+    }
+    Path file = output;
+    file.replace_extension(".labels.toml");
+    return labels.empty() ? Expected<void>() : write_file(file, render::bone_labels_text(labels));
+}
+
+/// Its parts; pictures, and the labels of a figure's bones, go beside it.
+Expected<std::string> tds_of(const render::Model& model, const Path& output) {
+    auto made = render::tds_export(model, output.stem().string());
+    if (!made) {
+        return fail(made.error());
+    }
+    for (const render::TdsPicture& picture : made->pictures) {
+        const std::string_view bytes(reinterpret_cast<const char*>(picture.bytes.data()),
+                                     picture.bytes.size());
+        if (auto written = write_file(output.parent_path() / picture.name, bytes); !written) {
+            return fail(written.error());
+        }
+    }
+    if (auto written = write_labels(model, made->node_names, output); !written) {
+        return fail(written.error());
+    }
+    return std::move(made->bytes);
 }
 
 /// Its mesh at rest; its materials go into a file beside it.
@@ -76,6 +138,9 @@ Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Pat
     if (ending == ".obj") {
         return obj_of(*model, arguments.output);
     }
+    if (ending == ".3ds") {
+        return tds_of(*model, arguments.output);
+    }
     if (ending == ".glb") {
         return render::glb_bytes(*model);
     }
@@ -90,8 +155,8 @@ Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Pat
 
 ExitCode avatar_export(const AvatarExportArguments& arguments) {
     const std::string ending = arguments.output.extension().string();
-    if (ending != ".vrm" && ending != ".glb" && ending != ".obj") {
-        return fail(fmt::format("{}: an avatar is exported as .vrm, .glb or .obj",
+    if (ending != ".vrm" && ending != ".glb" && ending != ".3ds" && ending != ".obj") {
+        return fail(fmt::format("{}: an avatar is exported as .vrm, .glb, .3ds or .obj",
                                 printable(arguments.output.string())));
     }
     const auto file = engine::find_avatar(arguments.model);

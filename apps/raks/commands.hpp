@@ -98,11 +98,11 @@ struct AvatarExportArguments {
     std::string title;                 ///< empty: the file's own, else its name
     std::vector<std::string> authors;  ///< empty: the file's own
     std::string licence;               ///< in words, or its address; empty: the file's own
-    Path output;                       ///< .vrm, .glb or .obj
+    Path output;                       ///< .vrm, .glb, .3ds or .obj
 };
-/// Writes a model as VRM 1.0, as binary glTF, or its mesh at rest as OBJ with its materials beside
-/// it. Errors: no model; as VRM: no figure, neither author nor licence in it or given; the output's
-/// ending.
+/// Writes a model as VRM 1.0, as binary glTF, as 3DS of rigid parts with its pictures and labels
+/// beside it, or its mesh at rest as OBJ with its materials beside it. Errors: no model; as VRM: no
+/// figure, neither author nor licence in it or given; the output's ending.
 [[nodiscard]] ExitCode avatar_export(const AvatarExportArguments& arguments);
 
 /// Arguments of `raks xbody`.

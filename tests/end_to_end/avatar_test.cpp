@@ -92,9 +92,23 @@ TEST_F(Avatar, is_exported_as_vrm_once_it_is_known_whose_work_it_is) {
     EXPECT_EQ(json["meta"]["title"], "figure");
     EXPECT_EQ(json["meta"]["authors"], nlohmann::json({"Cesium"}));
     EXPECT_EQ(run({"avatar", "export", path("x.glb"), "--from", "figure"}).exit_code, 0);
-    expect_one_line({"avatar", "export", path("x.3ds"), "--from", "figure"},
+    expect_one_line({"avatar", "export", path("x.ply"), "--from", "figure"},
                     1,
-                    "x.3ds: an avatar is exported as .vrm, .glb or .obj");
+                    "x.ply: an avatar is exported as .vrm, .glb, .3ds or .obj");
+}
+
+TEST_F(Avatar, as_3ds_brings_its_pictures_and_dances_by_the_labels_beside_it) {
+    give("Godette_vrm_v4.vrm", "me.vrm");
+    const std::string output = path("godette.3ds");
+    const ProcessResult written = run({"avatar", "export", output, "--from", "me"});
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_TRUE(fs::exists(path("godette.labels.toml")));
+    EXPECT_TRUE(fs::exists(path("godett1.png")));
+    const ProcessResult shown = run({"avatar", "show", output, "--json"});
+    ASSERT_EQ(shown.exit_code, 0) << shown.err;
+    const auto json = nlohmann::json::parse(shown.out);
+    EXPECT_EQ(json["format"], "3DS v3");
+    EXPECT_EQ(shown.err, "");
 }
 
 TEST_F(Avatar, the_mannequin_is_exported_where_no_other_is_named) {
