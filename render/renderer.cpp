@@ -220,19 +220,23 @@ void Renderer::Parts::draw(const Scene& scene,
     const DrawingState state(target);
     warm_up_arrival();
     clear(scene);
+    glPolygonMode(GL_FRONT_AND_BACK, scene.is_wireframe ? GL_LINE : GL_FILL);
     for (std::size_t i = 0; i < dancers.size(); ++i) {
         wear(i);
         draw_body(scene, dancers[i]);
     }
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (spheres && !scene.spheres.empty()) {
         spheres->draw(scene.spheres);
     }
     draw_stage(scene);
     glEnable(GL_CULL_FACE);
     // Last what lets the stage through: glass, lashes, veils.
+    glPolygonMode(GL_FRONT_AND_BACK, scene.is_wireframe ? GL_LINE : GL_FILL);
     for (const Painted& dancer : dancers) {
         dancer.painter->draw_blended(dancer.number, scene);
     }
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 void Renderer::Parts::draw_shadow_map(const Scene& scene,

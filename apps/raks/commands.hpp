@@ -107,17 +107,18 @@ struct AvatarExportArguments {
 
 /// Arguments of `raks xbody`.
 struct XbodyArguments {
-    std::string model;              ///< file, or a name of `raks avatar list`
-    engine::AvatarOptions options;  ///< of its file
-    std::string motion;             ///< clip: FILE, or FILE#NAME; empty: none
-    JointArguments joints;          ///< which joint of the clip is which bone
-    std::size_t frame = 0;          ///< of the clip
-    std::string view = "front";     ///< or side, back, top
-    std::string size;               ///< of window or picture; empty: 1280x720 or 960x720
-    bool has_names = false;         ///< beside the bones
-    Path output;                    ///< .png; empty: a window
+    std::string model;                 ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;     ///< of its file
+    std::string motion;                ///< clip: FILE, or FILE#NAME; empty: none
+    JointArguments joints;             ///< which joint of the clip is which bone
+    std::optional<std::size_t> frame;  ///< of the clip; none: the first, of a film all
+    double rate = 1.0;                 ///< of a film; -2 to 4, not 0
+    std::string view = "front";        ///< or side, back, top
+    std::string size;                  ///< of window or picture; empty: 1280x720 or 960x720
+    bool has_names = false;            ///< beside the bones
+    Path output;                       ///< as XbodyFilmPlan has it; empty: a window
 };
-/// Shows a model with its bones over it, in a window in which they are labelled, or draws it.
+/// Shows a model with its bones over it, in a window in which they are labelled, or films it.
 /// Errors: no such model or clip; those of reading them, of OpenGL and of the picture; no display.
 [[nodiscard]] ExitCode xbody(const XbodyArguments& arguments);
 

@@ -116,7 +116,13 @@ void add_xbody(RaksCommands& table) {
         ->check(one_of({"front", "side", "back", "top"}));
     app->add_option("--size", a->size, "of window or picture, such as 1280x720");
     app->add_flag("--names", a->has_names, "beside the bones");
-    app->add_option("-o,--out", a->output, "X.png: a picture instead of a window");
+    auto* const output = app->add_option(
+        "-o,--out",
+        a->output,
+        "instead of a window: X.png, a film (.mp4, .avi, .mkv, .webm), or a folder of pictures");
+    app->add_option("--rate", a->rate, "how fast a film plays: -2 to 4, 1 as recorded")
+        ->check(in_range(-2.0, 4.0))
+        ->needs(output);
 }
 
 void add_calibrate(RaksCommands& table) {

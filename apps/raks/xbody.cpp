@@ -5,7 +5,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "apps/xbody/shown_model.hpp"
-#include "apps/xbody/xbody_picture.hpp"
+#include "apps/xbody/xbody_film.hpp"
 #include "apps/xbody/xbody_window.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
@@ -17,19 +17,6 @@
 namespace raks::apps {
 namespace {
 
-// Errors: what can be said before anything is read.
-Expected<void> check(const XbodyArguments& arguments) {
-    if (arguments.output.empty()) {
-        return {};
-    }
-    if (arguments.output.extension() != ".png") {
-        return fail(
-            fmt::format("{}: a picture is written as .png", printable(arguments.output.string())));
-    }
-    return check_output(arguments.output,
-                        {arguments.model, engine::AvatarClip::file_of(arguments.motion)});
-}
-
 // `usual`: where none is asked for.
 Expected<engine::PictureSize> size_of(const XbodyArguments& arguments, engine::PictureSize usual) {
     if (arguments.size.empty()) {
@@ -37,6 +24,27 @@ Expected<engine::PictureSize> size_of(const XbodyArguments& arguments, engine::P
     }
     auto size = engine::parse_size(arguments.size);
     return size ? size : fail("--size: " + size.error().message);
+}
+
+XbodyFilmPlan film_plan(const XbodyArguments& arguments, const engine::PictureSize& size) {
+    return {.output = arguments.output,
+            .frame = arguments.frame,
+            .rate = arguments.rate,
+            .view = arguments.view,
+            .size = size,
+            .has_names = arguments.has_names};
+}
+
+// Errors: what can be said before anything is read.
+Expected<void> check(const XbodyArguments& arguments, const engine::PictureSize& size) {
+    if (arguments.output.empty()) {
+        return {};
+    }
+    if (auto possible = check_xbody_film(film_plan(arguments, size)); !possible) {
+        return possible;
+    }
+    return check_output(arguments.output,
+                        {arguments.model, engine::AvatarClip::file_of(arguments.motion)});
 }
 
 Expected<void> show(const XbodyArguments& arguments,
@@ -47,16 +55,15 @@ Expected<void> show(const XbodyArguments& arguments,
                                {.width = size.width,
                                 .height = size.height,
                                 .view = arguments.view,
-                                .frame = arguments.frame,
+                                .frame = arguments.frame.value_or(0),
                                 .has_names = arguments.has_names},
                                [] { return stop_signal().has_value(); });
     }
-    return write_xbody_picture(arguments.output,
-                               model,
-                               {.frame = arguments.frame,
-                                .view = arguments.view,
-                                .size = size,
-                                .has_names = arguments.has_names});
+    ProgressLine progress("filming");
+    return write_xbody_film(film_plan(arguments, size), std::move(model), [&](double share) {
+        progress.show(share);
+        return !stop_signal().has_value();
+    });
 }
 
 Expected<ShownModel> load(const XbodyArguments& arguments) {
@@ -78,14 +85,14 @@ Expected<ShownModel> load(const XbodyArguments& arguments) {
 }  // namespace
 
 ExitCode xbody(const XbodyArguments& arguments) {
-    if (auto possible = check(arguments); !possible) {
-        return fail(possible.error());
-    }
     const auto size = size_of(
         arguments,
         arguments.output.empty() ? engine::PictureSize{1280, 720} : engine::PictureSize{960, 720});
     if (!size) {
         return fail(size.error());
+    }
+    if (auto possible = check(arguments, *size); !possible) {
+        return fail(possible.error());
     }
     auto model = load(arguments);
     if (!model) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -52,37 +53,52 @@ Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
     return {};
 }
 
-Expected<void> load_clip(const ShownModelPlan& plan, ShownModel& shown) {
-    if (plan.motion.empty()) {
-        return {};
+// None: no motion is asked for.
+Expected<std::optional<engine::AvatarClip>> load_clip(const std::string& motion,
+                                                      const ShownModel& shown) {
+    if (motion.empty()) {
+        return std::nullopt;
     }
+    const ShownModelPlan& plan = shown.plan;
     const std::string missing = render::missing_bones(shown.figure.model.character.humanoid);
     if (!missing.empty()) {
         return fail(fmt::format("{}: no figure that can move: it lacks {}; label them first",
                                 printable(plan.file.string()),
                                 missing));
     }
-    auto clip = engine::AvatarClip::load(plan.motion,
+    auto clip = engine::AvatarClip::load(motion,
                                          shown.avatar->skeleton.offsets[0],
-                                         {plan.file, plan.options.labels, plan.joints});
+                                         {.avatar = plan.file,
+                                          .labels = plan.options.labels,
+                                          .joints = plan.joints,
+                                          .own_labels = shown.labels});
     if (!clip) {
         return fail(std::move(clip.error()));
     }
-    shown.clip = std::move(*clip);
-    return {};
+    return std::move(*clip);
 }
 
 // Turns what is no figure into something that can be looked at, and a figure into what dances.
-void stand(const ShownModelPlan& plan, ShownModel& shown) {
+void stand(ShownModel& shown) {
     render::Model& model = shown.figure.model;
+    model = shown.as_read;
     const auto mapped = render::map_humanoid(model, shown.labels ? &*shown.labels : nullptr);
     if (!mapped) {
         model.warnings.push_back("it cannot dance: " + mapped.error().message);
     }
     shown.figure.options = render::missing_bones(model.character.humanoid).empty()
-                               ? engine::stand_model(model, plan.options.height)
+                               ? engine::stand_model(model, shown.plan.options.height)
                                : engine::stand_thing(model);
-    auto loaded = engine::make_avatar(shown.figure, plan.file.filename().string());
+}
+
+// The images are unpacked; what they lack is a fault of the file.
+void make_first_avatar(ShownModel& shown) {
+    const std::size_t before = shown.figure.model.warnings.size();
+    auto loaded = engine::make_avatar(shown.figure, shown.plan.file.filename().string());
+    const auto& warnings = shown.figure.model.warnings;
+    shown.as_read.warnings.insert(shown.as_read.warnings.end(),
+                                  warnings.begin() + static_cast<std::ptrdiff_t>(before),
+                                  warnings.end());
     shown.avatar = std::move(loaded.avatar);
     shown.notes = std::move(loaded.warnings);
 }
@@ -108,17 +124,47 @@ Expected<ShownModel> load_shown_model(const ShownModelPlan& plan) {
         return fail(printable(plan.file.string()) + ": there is nothing in it to show");
     }
     ShownModel shown;
-    shown.file = plan.file;
+    shown.plan = plan;
     if (auto read = read_labels(plan, shown); !read) {
         return fail(std::move(read.error()));
     }
-    shown.as_read = *model;
-    shown.figure.model = std::move(*model);
-    stand(plan, shown);
-    if (auto loaded = load_clip(plan, shown); !loaded) {
-        return fail(std::move(loaded.error()));
+    shown.as_read = std::move(*model);
+    stand(shown);
+    make_first_avatar(shown);
+    if (auto taken = take_motion(plan.motion, shown); !taken) {
+        return fail(std::move(taken.error()));
     }
     return shown;
+}
+
+void stand_by_labels(std::vector<render::BoneLabel> labels, ShownModel& model) {
+    model.labels.reset();
+    if (!labels.empty()) {
+        model.labels = render::BoneLabels{.file = printable(model.labels_file.filename().string()),
+                                          .bones = std::move(labels)};
+    }
+    stand(model);
+    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar(
+        model.figure.model, model.avatar->surface.images, model.figure.options));
+    model.notes = model.figure.model.warnings;
+    const auto& rig = model.avatar->rig->warnings;
+    model.notes.insert(model.notes.end(), rig.begin(), rig.end());
+    model.clip.reset();
+    if (auto clip = load_clip(model.plan.motion, model)) {
+        model.clip = std::move(*clip);
+    } else {
+        model.notes.push_back(clip.error().message);
+    }
+}
+
+Expected<void> take_motion(const std::string& motion, ShownModel& model) {
+    auto clip = load_clip(motion, model);
+    if (!clip) {
+        return fail(std::move(clip.error()));
+    }
+    model.clip = std::move(*clip);
+    model.plan.motion = motion;
+    return {};
 }
 
 ShownPose::ShownPose(const ShownModel& model) : state(*model.avatar->rig) {
@@ -134,9 +180,9 @@ void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown) {
         shown.pose = {};
         shown.pose.hips_position = model.avatar->skeleton.offsets[0];
     }
-    const render::Face face =
+    shown.face =
         model.clip ? model.clip->face_at(seconds).value_or(render::Face()) : render::Face();
-    render::pose_avatar(*model.avatar->rig, shown.pose, face, 1.0F, shown.state);
+    render::pose_avatar(*model.avatar->rig, shown.pose, shown.face, 1.0F, shown.state);
 }
 
 render::Camera camera_before(render::Camera camera,
@@ -164,13 +210,14 @@ render::Camera camera_before(render::Camera camera,
     return camera;
 }
 
-render::Camera camera_before(const ShownModel& model,
-                             const ShownPose& shown,
-                             std::string_view view,
-                             float aspect) {
+render::Camera camera_of_view(std::string_view view) {
     render::Camera camera =
         render::find_camera(view).value_or(render::find_camera("front").value_or(render::Camera{}));
     camera.pitch = view == "top" ? render::Camera::kMaxPitch : render::Camera::kMinPitch;
+    return camera;
+}
+
+std::vector<glm::vec3> reached_places(const ShownModel& model, const ShownPose& shown) {
     std::vector<glm::vec3> points;
     float largest = std::numeric_limits<float>::infinity();
     if (const auto box = render::rest_box(model.figure.model)) {
@@ -193,19 +240,21 @@ render::Camera camera_before(const ShownModel& model,
             points.push_back(place);
         }
     }
+    return points;
+}
+
+render::Camera camera_before(const ShownModel& model,
+                             const ShownPose& shown,
+                             std::string_view view,
+                             float aspect) {
+    const render::Camera camera = camera_of_view(view);
+    const std::vector<glm::vec3> points = reached_places(model, shown);
     return points.empty() ? camera : camera_before(camera, points, aspect);
 }
 
-void hide_nodes(const std::vector<bool>& is_hidden, ShownModel& model) {
-    render::Model shown = model.figure.model;
-    for (std::size_t i = 0; i < shown.nodes.size(); ++i) {
-        if (is_hidden[i]) {
-            shown.nodes[i].mesh = -1;
-            shown.nodes[i].skin = -1;
-        }
-    }
-    model.avatar = std::make_shared<const render::Avatar>(
-        render::build_avatar(shown, model.avatar->surface.images, model.figure.options));
+void set_look(const ModelLook& look, ShownModel& model) {
+    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar(
+        looked(model.figure.model, look), model.avatar->surface.images, model.figure.options));
 }
 
 std::vector<glm::vec3> branch_places(const ShownModel& model, const ShownPose& shown, int node) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/xbody/model_look.hpp"
 #include "base/expected.hpp"
 #include "engine/show/avatar_clip.hpp"
 #include "engine/show/avatar_model.hpp"
@@ -31,15 +32,16 @@ struct ShownModelPlan {
 /// A model, standing: a figure in its T-pose as a dance has it, all else as its file has it, as
 /// large as a figure. Threads: one.
 struct ShownModel {
-    std::filesystem::path file;
+    ShownModelPlan plan;
     std::filesystem::path labels_file;         ///< where its labels are, or would be
-    std::optional<render::BoneLabels> labels;  ///< none: no such file
+    std::optional<render::BoneLabels> labels;  ///< it stands by; none: no such file
     render::Model as_read;                     ///< with bones that the file itself names, alone
     engine::AvatarModel figure;                ///< standing
     std::shared_ptr<const render::Avatar> avatar;
     std::vector<std::string> notes;          ///< what was mended, guessed, left out: one line each
     std::optional<engine::AvatarClip> clip;  ///< what moves it; none: it stands
 
+    [[nodiscard]] const std::filesystem::path& file() const { return plan.file; }
     /// Of the clip; 1: it stands.
     [[nodiscard]] std::size_t frame_count() const;
     /// Frames a second; 60 where it stands.
@@ -51,14 +53,31 @@ struct ShownModel {
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<ShownModel> load_shown_model(const ShownModelPlan& plan);
 
+/// Lets the model stand, and move, by other labels than before; all its nodes are drawn. A motion
+/// that it cannot have (no longer or not yet a figure) is left out, with a note; it comes back with
+/// the bones. Poses are to be made anew. Threads: workers. Real-time: no.
+void stand_by_labels(std::vector<render::BoneLabel> labels, ShownModel& model);
+
+/// Takes another motion (FILE, or FILE#NAME; empty: none). Errors: as load_shown_model; the one
+/// before stays. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<void> take_motion(const std::string& motion, ShownModel& model);
+
 /// A dancer's picture of a frame: pose and joints. What swings is at rest.
 struct ShownPose {
     explicit ShownPose(const ShownModel& model);  ///< frame 0
     motion::Pose pose;
+    render::Face face;
     render::RigState state;
 };
 /// Goes to a frame, clamped to the clip. Threads: one. Real-time: no.
 void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown);
+
+/// Where the model is: its joints, and the corners of its box at rest, carried with its hips.
+[[nodiscard]] std::vector<glm::vec3> reached_places(const ShownModel& model,
+                                                    const ShownPose& shown);
+
+/// A camera turned as of "front", "side", "back" or "top" (others: front).
+[[nodiscard]] render::Camera camera_of_view(std::string_view view);
 
 /// A camera that has all of the model in a picture of this `aspect` (width / height): "front",
 /// "side", "back" or "top" (others: front). Threads: any. Real-time: no.
@@ -72,9 +91,8 @@ void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown);
                                            const std::vector<glm::vec3>& points,
                                            float aspect);
 
-/// Leaves the meshes of hidden nodes (by node) out of the avatar, or takes them in again. Poses of
-/// it are to be made anew. Threads: one. Real-time: no.
-void hide_nodes(const std::vector<bool>& is_hidden, ShownModel& model);
+/// Makes the avatar look so. Poses of it are to be made anew. Threads: one. Real-time: no.
+void set_look(const ModelLook& look, ShownModel& model);
 
 /// Where a node and all below it are; -1: all nodes. Threads: any. Real-time: no.
 [[nodiscard]] std::vector<glm::vec3> branch_places(const ShownModel& model,

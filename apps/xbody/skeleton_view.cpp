@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/xbody/sight.hpp"
 #include "base/printable.hpp"
 #include "render/panes/name_tags.hpp"
 
@@ -9,28 +10,6 @@
 
 namespace raks::apps {
 namespace {
-
-/// From the world to places of the frame.
-class Sight {
- public:
-    Sight(const render::Camera& camera, const render::Box& box)
-        : clip_from_world_(camera.clip_from_world(box.width / box.height)), box_(box) {}
-
-    /// None: behind the camera.
-    [[nodiscard]] std::optional<glm::vec2> place_of(const glm::vec3& point) const {
-        constexpr float kNearest = 1e-3F;
-        const glm::vec4 clip = clip_from_world_ * glm::vec4(point, 1.0F);
-        if (!(clip.w > kNearest)) {
-            return std::nullopt;
-        }
-        return glm::vec2(box_.x + box_.width * (0.5F + 0.5F * clip.x / clip.w),
-                         box_.y + box_.height * (0.5F - 0.5F * clip.y / clip.w));
-    }
-
- private:
-    glm::mat4 clip_from_world_;
-    render::Box box_;
-};
 
 /// Names of bones by node; empty texts: no bone.
 std::vector<std::string_view> bone_names(const render::Model& model,

@@ -46,10 +46,14 @@ std::vector<XbodyWish> letter_key(const KeyEvent& key, const XbodySession& sessi
     switch (static_cast<char32_t>(key.key)) {
         case U'/':
             return {XbodyAction(SearchNodes{session.tree.search, true})};
+        case U'a':
+            return {XbodyAction(NextAxis{})};
         case U'b':
             return {XbodyAction(DrawBones{!session.has_bones})};
         case U'f':
             return {FrameChosen{}};
+        case U'g':
+            return {XbodyAction(DrawSprings{!session.has_springs})};
         case U'h':
             return session.node ? std::vector<XbodyWish>{XbodyAction(HideBranch{*session.node})}
                                 : std::vector<XbodyWish>{};
@@ -63,6 +67,8 @@ std::vector<XbodyWish> letter_key(const KeyEvent& key, const XbodySession& sessi
             return {SaveXbody{}};
         case U'u':
             return {XbodyAction(UndoLabel{})};
+        case U'w':
+            return {XbodyAction(DrawWireframe{!session.is_wireframe})};
         case U'x':
             return {XbodyAction(TakeLabel{})};
         case U'y':
@@ -87,7 +93,11 @@ std::vector<XbodyWish> wishes_of_key(const KeyEvent& key, const XbodySession& se
     if (key.key == Key::up || key.key == Key::down) {
         return tree_key(key.key, session);
     }
-    return letter_key(key, session);
+    auto wishes = letter_key(key, session);
+    if (wishes.empty()) {
+        wishes = {XbodyAction(TransportKey{key})};
+    }
+    return wishes;
 }
 
 }  // namespace raks::apps

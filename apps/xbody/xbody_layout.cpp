@@ -49,19 +49,26 @@ XbodyLayout xbody_layout(const Box& area) {
     layout.rows = rows_of({kMargin, tree, kLeft, layout.hide.y - 4.0F - tree});
 
     const float right = area.right() - kMargin - kRight;
-    layout.pages = row_of({right, kMargin, kRight, kButton}, 3);
+    layout.pages = row_of({right, kMargin, kRight, kButton}, 5);
     const auto buttons = row_of({right, bottom - kButton, kRight, kButton}, 5);
     layout.label = buttons[0];
     layout.unlabel = buttons[1];
     layout.undo = buttons[2];
     layout.redo = buttons[3];
     layout.save = buttons[4];
-    layout.lines = rows_of({right, tree, kRight, layout.label.y - 4.0F - tree});
+    layout.axis = {right, layout.label.y - 4.0F - kButton, kRight, kButton};
+    layout.lines = rows_of({right, tree, kRight, layout.axis.y - 4.0F - tree});
+    for (int i = 0; i < 5; ++i) {
+        const float y = tree + static_cast<float>(i) * (kButton + 4.0F);
+        layout.films.push_back({right, y, kRight, kButton});
+    }
 
     const float middle = layout.search.right() + kMargin;
     const float width = right - kMargin - middle;
-    layout.views = row_of({middle, kMargin, width, kButton}, 7);
-    layout.view = {middle, tree, width, bottom - tree};
+    layout.views = row_of({middle, kMargin, width, kButton}, 5);
+    layout.looks = row_of({middle, tree, width, kButton}, 7);
+    const float view = layout.looks.front().bottom() + 4.0F;
+    layout.view = {middle, view, width, bottom - view};
 
     layout.steps = row_of({kMargin, transport, kLeft, kButton}, 5);
     layout.number = {middle, transport, 110.0F, kButton};

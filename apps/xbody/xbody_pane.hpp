@@ -7,9 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "apps/xbody/skeleton_view.hpp"
+#include "apps/xbody/node_kinds.hpp"
+#include "apps/xbody/xbody_marks.hpp"
 #include "apps/xbody/xbody_session.hpp"
 #include "render/panes/pane_context.hpp"
+#include "render/panes/pane_picture.hpp"
 
 namespace raks::apps {
 
@@ -18,9 +20,13 @@ struct XbodyLayout {
     render::Box search;
     std::vector<render::Box> rows;   ///< of the tree, as many as there is room for
     render::Box hide;                ///< under the tree
-    std::vector<render::Box> views;  ///< front, side, back, top, fit, bones, names
+    std::vector<render::Box> views;  ///< front, side, back, top, fit
+    /// Bones, names, springs; own colours, normals, weights; wireframe.
+    std::vector<render::Box> looks;
     render::Box view;                ///< the model
-    std::vector<render::Box> pages;  ///< bones, meshes, file
+    std::vector<render::Box> pages;  ///< by XbodyPage
+    std::vector<render::Box> films;  ///< on the page of films: .png, .mp4, .avi, folder, stop
+    render::Box axis;                ///< under the lines
     std::vector<render::Box> lines;  ///< of the right pane
     render::Box label;
     render::Box unlabel;
@@ -48,10 +54,17 @@ struct XbodyLine {
 
 /// What the pane shows beside the session.
 struct XbodyView {
-    std::vector<NodeKind> kinds;    ///< by node
-    std::vector<SeenNode> seen;     ///< the skeleton in the view
-    std::vector<XbodyLine> meshes;  ///< page of the meshes
-    std::vector<XbodyLine> file;    ///< page of the file
+    std::vector<NodeKind> kinds;                     ///< by node
+    SeenMarks seen;                                  ///< in the view
+    std::vector<XbodyLine> meshes;                   ///< page of the meshes
+    std::vector<XbodyLine> file;                     ///< page of the file
+    const render::PanePicture* thumbnail = nullptr;  ///< above them; null: it has none
+    float thumbnail_aspect = 1.0F;                   ///< width / height
+    std::vector<XbodyLine> film;                     ///< page of films, under its buttons
+    std::vector<std::string> expressions;            ///< names, by PoseTuning::expressions
+    bool can_pose = false;                           ///< it is a figure that stands
+    bool can_gaze = false;
+    std::optional<double> film_share;  ///< of a film that is being written
 };
 
 /// The camera goes where it has all of the model: "front", "side", "back", "top".
@@ -62,11 +75,28 @@ struct FitView {
 struct FrameChosen {};
 /// The labels are to be written.
 struct SaveXbody {};
+/// What is shown is to be written: ".png", ".mp4", ".avi", or "" for a folder of pictures.
+struct WriteFilm {
+    std::string ending;
+};
+/// What is being written ends with what there is.
+struct StopFilm {};
+/// A file was dropped: a model, a motion, music.
+struct TakeFile {
+    std::string path;
+};
 /// The window is to close.
 struct CloseXbody {};
 
 /// What a person asks for in the pane.
-using XbodyWish = std::variant<XbodyAction, FitView, FrameChosen, SaveXbody, CloseXbody>;
+using XbodyWish = std::variant<XbodyAction,
+                               FitView,
+                               FrameChosen,
+                               SaveXbody,
+                               WriteFilm,
+                               StopFilm,
+                               TakeFile,
+                               CloseXbody>;
 
 /// Bones in the order of the page: those that a figure needs, then the others.
 [[nodiscard]] std::vector<motion::Bone> listed_bones(const render::HumanoidMap& humanoid);
@@ -76,8 +106,7 @@ using XbodyWish = std::variant<XbodyAction, FitView, FrameChosen, SaveXbody, Clo
                                                 const XbodySession& session,
                                                 const XbodyView& view);
 
-/// What a key asks for; nothing: another key. Keys of the transport: space, `,` `.`, left, right,
-/// Home, End, digits and Enter are taken by `session.transport` where this gives nothing.
+/// What a key asks for; what means nothing here is one of the transport.
 [[nodiscard]] std::vector<XbodyWish> wishes_of_key(const KeyEvent& key,
                                                    const XbodySession& session);
 

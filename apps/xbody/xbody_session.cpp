@@ -38,6 +38,7 @@ class Doer {
 
     void operator()(const ChooseNode& action) const {
         session_.node = action.node;
+        see_node();
         const auto& nodes = session_.humanoid.nodes;
         const auto* const bone = std::find(nodes.begin(), nodes.end(), action.node);
         if (bone != nodes.end()) {
@@ -49,6 +50,7 @@ class Doer {
         const int node = session_.humanoid.nodes[motion::index_of(action.bone)];
         if (!session_.node && node >= 0) {
             session_.node = node;
+            see_node();
         }
     }
     void operator()(const GiveLabel& /*action*/) const {
@@ -84,6 +86,18 @@ class Doer {
         session_.labels.redo();
         changed();
     }
+    void operator()(const NextAxis& /*action*/) const {
+        const auto& labels = session_.labels.now();
+        const auto label = std::find_if(labels.begin(), labels.end(), [this](const auto& one) {
+            return session_.bone == one.bone;
+        });
+        if (label == labels.end()) {
+            session_.message = "Label a bone first, then say along which axis it points";
+            return;
+        }
+        engine::set_rest_axis(label->bone, engine::next_rest_axis(label->axis), session_.labels);
+        changed();
+    }
     void operator()(const FoldBranch& action) const {
         auto folded = session_.tree.is_folded[static_cast<std::size_t>(action.node)];
         folded = !folded;
@@ -100,16 +114,47 @@ class Doer {
         session_.page = action.page;
         session_.first_line = 0;
     }
-    void operator()(const ScrollTree& action) const { session_.first_row = action.first_row; }
+    void operator()(const ScrollTree& action) const {
+        session_.first_row = action.first_row;
+        session_.is_node_to_see = false;
+    }
     void operator()(const ScrollPage& action) const { session_.first_line = action.first_line; }
     void operator()(const GoToFrame& action) const { session_.transport.go_to(action.frame); }
+    void operator()(const TransportKey& action) const {
+        static_cast<void>(session_.transport.handle(action.key));
+    }
     void operator()(const PlayOrPause& /*action*/) const { session_.transport.toggle_pause(); }
     void operator()(const SetRate& action) const { session_.transport.set_rate(action.rate); }
     void operator()(const MoveCamera& action) const { session_.camera = action.camera; }
     void operator()(const DrawNames& action) const { session_.has_names = action.is_on; }
     void operator()(const DrawBones& action) const { session_.has_bones = action.is_on; }
+    void operator()(const DrawSprings& action) const {
+        session_.has_springs = action.is_on;
+        const render::Character& character = session_.model->character;
+        if (action.is_on && character.springs.empty() && character.colliders.empty()) {
+            session_.message = "Nothing swings in this file";
+        }
+    }
+    void operator()(const DrawWireframe& action) const { session_.is_wireframe = action.is_on; }
+    void operator()(const PaintModel& action) const {
+        session_.paint = action.paint;
+        if (action.paint == ModelPaint::weights && !session_.node) {
+            session_.message = "Pick a joint in the tree or in the picture to see what it moves";
+        }
+    }
+    void operator()(const TunePose& action) const { session_.tuning = action.tuning; }
 
  private:
+    // Opens the branches that it is in.
+    void see_node() const {
+        session_.is_node_to_see = true;
+        for (int up = *session_.node; up >= 0;) {
+            up = session_.model->nodes[static_cast<std::size_t>(up)].parent;
+            if (up >= 0) {
+                session_.tree.is_folded[static_cast<std::size_t>(up)] = false;
+            }
+        }
+    }
     [[nodiscard]] const std::string& name_of(int node) const {
         return session_.model->nodes[static_cast<std::size_t>(node)].name;
     }
@@ -131,6 +176,20 @@ class Doer {
 
 bool XbodySession::can_label() const { return model->character.humanoid.nodes[0] < 0; }
 
+ModelLook XbodySession::look() const {
+    return {.paint = is_wireframe && paint == ModelPaint::own ? ModelPaint::dark : paint,
+            .joint = paint == ModelPaint::weights ? node.value_or(-1) : -1,
+            .is_hidden = tree.is_hidden};
+}
+
+XbodyMarks XbodySession::marks() const {
+    return {.has_bones = has_bones,
+            .has_names = has_names,
+            .has_springs = has_springs,
+            .is_wireframe = is_wireframe,
+            .chosen = node.value_or(-1)};
+}
+
 XbodySession xbody_session(const render::Model& model,
                            const std::vector<render::BoneLabel>& labels,
                            engine::ClipTransport transport,
@@ -143,6 +202,7 @@ XbodySession xbody_session(const render::Model& model,
                          .camera = camera,
                          .node = {},
                          .bone = {},
+                         .tuning = {},
                          .message = {}};
     look_for_bones(session);
     return session;

@@ -8,7 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "apps/xbody/model_look.hpp"
 #include "apps/xbody/model_tree.hpp"
+#include "apps/xbody/pose_tuning.hpp"
+#include "apps/xbody/xbody_marks.hpp"
+#include "base/key.hpp"
 #include "engine/show/bone_labelling.hpp"
 #include "engine/show/clip_transport.hpp"
 #include "motion/skeleton/humanoid.hpp"
@@ -18,7 +22,7 @@
 namespace raks::apps {
 
 /// What the right pane shows.
-enum class XbodyPage : std::uint8_t { bones, meshes, file };
+enum class XbodyPage : std::uint8_t { bones, pose, meshes, file, film };
 
 /// A person's work on one model. Threads: one.
 struct XbodySession {
@@ -31,15 +35,24 @@ struct XbodySession {
     XbodyPage page = XbodyPage::bones;
     std::optional<int> node;           ///< that is chosen
     std::optional<motion::Bone> bone;  ///< that is chosen
+    bool is_node_to_see = false;       ///< the tree is to show it
     std::size_t first_row = 0;         ///< of the tree
     std::size_t first_line = 0;        ///< of the right pane
     bool has_names = false;            ///< beside the bones
     bool has_bones = true;             ///< drawn over the mesh
-    bool is_searching = false;         ///< letters go into the search
-    std::string message;               ///< what there is to say; may be empty
+    bool has_springs = false;          ///< chains and colliders are drawn
+    bool is_wireframe = false;         ///< edges of triangles alone
+    ModelPaint paint = ModelPaint::own;
+    PoseTuning tuning;          ///< by the sliders
+    bool is_searching = false;  ///< letters go into the search
+    std::string message;        ///< what there is to say; may be empty
 
     /// Whether labels say anything here: the file does not name its bones itself.
     [[nodiscard]] bool can_label() const;
+    /// How the model is drawn.
+    [[nodiscard]] ModelLook look() const;
+    /// What is drawn over it.
+    [[nodiscard]] XbodyMarks marks() const;
 };
 
 /// A session that begins with these labels. `model`: as it was read, outlives it.
@@ -64,6 +77,8 @@ struct TakeLabel {};
 struct UndoLabel {};
 /// Or done again.
 struct RedoLabel {};
+/// The label of the chosen bone says another rest axis: the next of them.
+struct NextAxis {};
 /// A branch is folded or opened.
 struct FoldBranch {
     int node = -1;
@@ -93,6 +108,10 @@ struct ScrollPage {
 struct GoToFrame {
     std::size_t frame = 0;
 };
+/// A key that says which frame: as ClipTransport::handle.
+struct TransportKey {
+    KeyEvent key;
+};
 /// It plays, or pauses.
 struct PlayOrPause {};
 /// Multiples of the clip's own rate; -2 to 4.
@@ -111,12 +130,30 @@ struct DrawBones {
     bool is_on = true;
 };
 
+/// Chains and colliders are drawn, or not.
+struct DrawSprings {
+    bool is_on = true;
+};
+/// Edges are drawn alone, or not.
+struct DrawWireframe {
+    bool is_on = true;
+};
+/// Other colours.
+struct PaintModel {
+    ModelPaint paint = ModelPaint::own;
+};
+/// The sliders stand so.
+struct TunePose {
+    PoseTuning tuning;
+};
+
 using XbodyAction = std::variant<ChooseNode,
                                  ChooseBone,
                                  GiveLabel,
                                  TakeLabel,
                                  UndoLabel,
                                  RedoLabel,
+                                 NextAxis,
                                  FoldBranch,
                                  HideBranch,
                                  SearchNodes,
@@ -124,11 +161,16 @@ using XbodyAction = std::variant<ChooseNode,
                                  ScrollTree,
                                  ScrollPage,
                                  GoToFrame,
+                                 TransportKey,
                                  PlayOrPause,
                                  SetRate,
                                  MoveCamera,
                                  DrawNames,
-                                 DrawBones>;
+                                 DrawBones,
+                                 DrawSprings,
+                                 DrawWireframe,
+                                 PaintModel,
+                                 TunePose>;
 
 /// Does what was asked for; what cannot be is said in the message.
 void apply(const XbodyAction& action, XbodySession& session);

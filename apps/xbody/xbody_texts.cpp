@@ -10,7 +10,7 @@
 namespace raks::apps {
 namespace {
 
-constexpr std::size_t kWidth = 54;  // letters in a line
+constexpr std::size_t kWidth = 50;  // letters in a line
 
 std::string material_name(const render::Model& model, int material) {
     return material < 0 ? std::string("no material")
@@ -76,7 +76,9 @@ std::vector<XbodyLine> mesh_lines(const render::Model& model) {
 
 std::vector<XbodyLine> file_lines(const ShownModel& model) {
     const render::ModelSurvey survey = render::survey(model.as_read);
-    std::vector<XbodyLine> lines = {{.text = survey.format, .is_title = true}};
+    std::vector<XbodyLine> lines = {
+        {.text = printable(model.file().filename().string(), 40) + ": " + survey.format,
+         .is_title = true}};
     add_wrapped(lines,
                 fmt::format("{} vertices, {} triangles, {} meshes of {} parts, {} joints of {} "
                             "nodes, {} images, {} animations, {} expressions, {} springs",
@@ -116,6 +118,23 @@ std::vector<XbodyLine> file_lines(const ShownModel& model) {
     if (model.notes.empty()) {
         lines.push_back({.text = "nothing"});
     }
+    return lines;
+}
+
+std::vector<XbodyLine> film_lines(const ShownModel& model, const std::filesystem::path& folder) {
+    std::vector<XbodyLine> lines;
+    add_wrapped(lines,
+                fmt::format("{} As large as the view.",
+                            model.clip ? fmt::format("A film has all {} frames, at the rate below.",
+                                                     model.frame_count())
+                                       : std::string("It stands: a film has one picture.")),
+                false);
+    add_wrapped(lines,
+                fmt::format("Into {}: raks-{}-1, then -2 and on.",
+                            folder.empty() ? std::string("the folder that raks was started in")
+                                           : printable(folder.string()),
+                            printable(model.file().stem().string(), 40)),
+                false);
     return lines;
 }
 

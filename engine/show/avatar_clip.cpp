@@ -17,6 +17,7 @@
 #include "render/avatar/joint_tree.hpp"
 #include "render/avatar/node_clip.hpp"
 #include "render/import/bind_places.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/standing_figure.hpp"
@@ -69,13 +70,14 @@ class AvatarClipReader {
         return clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
     }
 
-    Expected<AvatarClip> read_model(const fs::path& labels) const {
+    Expected<AvatarClip> read_model(const fs::path& labels,
+                                    const std::optional<render::BoneLabels>& own) const {
         auto read = render::load_model(file_);
         if (!read) {
             return fail(read.error());
         }
         auto model = std::make_shared<render::Model>(std::move(*read));
-        auto clip = clip_of(*model, labels, model);
+        auto clip = clip_of(*model, labels, own, model);
         if (!clip) {
             return fail(std::move(clip.error()).in(printable(file_.string())));
         }
@@ -96,6 +98,7 @@ class AvatarClipReader {
     // `keeper` keeps the model alive, into which clips look.
     Expected<AvatarClip> clip_of(render::Model& model,
                                  const fs::path& labels,
+                                 const std::optional<render::BoneLabels>& own,
                                  const std::shared_ptr<render::Model>& keeper) const {
         const auto index = render::find_animation(model, name_);
         if (!index) {
@@ -104,7 +107,9 @@ class AvatarClipReader {
         if (model.animated_face.is_vrma) {
             return vrma_clip(keeper, *index);
         }
-        if (auto found = find_bones(model, find_labels(file_, labels)); !found) {
+        auto found = own ? render::map_humanoid(model, &*own)
+                         : find_bones(model, find_labels(file_, labels));
+        if (!found) {
             return fail(found.error());
         }
         return own_clip(keeper, *index);
@@ -181,7 +186,8 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
     }
     std::error_code ignored;
     const bool is_own = !options.avatar.empty() && fs::equivalent(file, options.avatar, ignored);
-    return reader.read_model(is_own ? options.labels : fs::path());
+    return is_own ? reader.read_model(options.labels, options.own_labels)
+                  : reader.read_model({}, {});
 }
 
 }  // namespace raks::engine

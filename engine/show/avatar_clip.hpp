@@ -11,6 +11,7 @@
 #include "motion/skeleton/joint_labels.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/face.hpp"
+#include "render/import/humanoid_labels.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -21,7 +22,9 @@ struct AvatarClipOptions {
     std::filesystem::path avatar;  ///< the model that it moves; empty: none
     /// Label file of that model, which counts where the clip is that model's own; empty: none.
     std::filesystem::path labels;
-    motion::JointLabels joints;  ///< which joint of a clip that is no model is which bone
+    motion::JointLabels joints{};  ///< which joint of a clip that is no model is which bone
+    /// Labels of that model, in the place of its file's; none: the file's.
+    std::optional<render::BoneLabels> own_labels{};
 };
 
 /// A clip on a body: of a VRMA, of a glTF (its own), or a BVH. Threads: one. Real-time: no.

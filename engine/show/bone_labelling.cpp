@@ -76,6 +76,25 @@ void unlabel_bone(motion::Bone bone, BoneLabelling& labelling) {
     labelling.change(std::move(next));
 }
 
+void set_rest_axis(motion::Bone bone, const glm::vec3& axis, BoneLabelling& labelling) {
+    std::vector<BoneLabel> next = labelling.now();
+    for (BoneLabel& label : next) {
+        label.axis = label.bone == bone ? axis : label.axis;
+    }
+    labelling.change(std::move(next));
+}
+
+glm::vec3 next_rest_axis(const glm::vec3& axis) noexcept {
+    if (axis == glm::vec3(0.0F)) {
+        return {1.0F, 0.0F, 0.0F};
+    }
+    const float side = axis.x + axis.y + axis.z;
+    if (axis.z != 0.0F) {
+        return side > 0.0F ? glm::vec3(-1.0F, 0.0F, 0.0F) : glm::vec3(0.0F);
+    }
+    return {0.0F, axis.x, axis.y};
+}
+
 Expected<void> save_labels(const std::filesystem::path& file, BoneLabelling& labelling) {
     if (labelling.now().empty()) {
         std::error_code error;

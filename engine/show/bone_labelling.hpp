@@ -29,6 +29,13 @@ using BoneLabelling = History<std::vector<render::BoneLabel>>;
 /// A step: nothing is said of `bone` any more. None where nothing was said.
 void unlabel_bone(motion::Bone bone, BoneLabelling& labelling);
 
+/// A step: the label of `bone` says that it points along `axis` of its node at rest (a unit vector
+/// of one coordinate); 0: it does not say so. None where nothing is said of `bone`.
+void set_rest_axis(motion::Bone bone, const glm::vec3& axis, BoneLabelling& labelling);
+
+/// What a person is offered after `axis`: none, x, y, z, -x, -y, -z, and none again.
+[[nodiscard]] glm::vec3 next_rest_axis(const glm::vec3& axis) noexcept;
+
 /// Writes the labels as a label file, whole or not at all; without labels the file is removed.
 /// They count as saved then. Errors: the system's. Threads: one.
 [[nodiscard]] Expected<void> save_labels(const std::filesystem::path& file,

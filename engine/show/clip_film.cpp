@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
-#include "render/gl/offscreen.hpp"
 #include "render/video/png.hpp"
 
 namespace raks::engine {
@@ -49,43 +48,66 @@ Expected<void> check_clip_film(const ClipFilmPlan& plan) {
                             : render::VideoWriter::check(plan.output, options_of(plan));
 }
 
-Expected<void> write_clip_film(const ClipFilmPlan& plan,
-                               const DrawFrame& draw,
-                               const FilmProgress& progress) {
+ClipFilm::ClipFilm(ClipFilmPlan plan, render::OffscreenTarget target)
+    : plan_(std::move(plan)),
+      target_(std::move(target)),
+      rgba_(static_cast<std::size_t>(plan_.size.width) *
+            static_cast<std::size_t>(plan_.size.height) * 4U) {}
+
+Expected<ClipFilm> ClipFilm::begin(ClipFilmPlan plan) {
     auto target = render::OffscreenTarget::create(
         {.width = plan.size.width, .height = plan.size.height, .samples = plan.samples});
     if (!target) {
         return fail(std::move(target.error()));
     }
-    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(plan.size.width) *
-                                   static_cast<std::size_t>(plan.size.height) * 4U);
-    if (is_picture(plan)) {
-        draw(plan.shown.frames.front(), target->frame());
-        if (auto read = target->read_rgba(rgba); !read) {
-            return read;
-        }
-        return render::write_png(plan.output, plan.size.width, plan.size.height, rgba);
+    ClipFilm film(std::move(plan), std::move(*target));
+    if (is_picture(film.plan_)) {
+        film.plan_.shown.frames.resize(1);
+        return film;
     }
-    auto writer = render::VideoWriter::create(plan.output, options_of(plan));
+    auto writer = render::VideoWriter::create(film.plan_.output, options_of(film.plan_));
     if (!writer) {
         return fail(std::move(writer.error()));
     }
-    const auto count = static_cast<double>(plan.shown.frames.size());
-    double done = 0.0;
-    for (const std::size_t frame : plan.shown.frames) {
-        draw(frame, target->frame());
-        if (auto read = target->read_rgba(rgba); !read) {
-            return read;
-        }
-        if (auto added = (*writer)->add_picture(rgba); !added) {
+    film.writer_ = std::move(*writer);
+    return film;
+}
+
+double ClipFilm::share() const noexcept {
+    return static_cast<double>(done_) / static_cast<double>(plan_.shown.frames.size());
+}
+
+Expected<void> ClipFilm::add_next(const DrawFrame& draw) {
+    if (done_ == plan_.shown.frames.size()) {
+        return {};
+    }
+    draw(plan_.shown.frames[done_], target_.frame());
+    if (auto read = target_.read_rgba(rgba_); !read) {
+        return read;
+    }
+    ++done_;
+    return writer_ ? writer_->add_picture(rgba_)
+                   : render::write_png(plan_.output, plan_.size.width, plan_.size.height, rgba_);
+}
+
+Expected<void> ClipFilm::finish() { return writer_ ? writer_->finish() : Expected<void>(); }
+
+Expected<void> write_clip_film(const ClipFilmPlan& plan,
+                               const DrawFrame& draw,
+                               const FilmProgress& progress) {
+    auto film = ClipFilm::begin(plan);
+    if (!film) {
+        return fail(std::move(film.error()));
+    }
+    while (film->share() < 1.0) {
+        if (auto added = film->add_next(draw); !added) {
             return added;
         }
-        done += 1.0;
-        if (!progress(done / count)) {
+        if (!progress(film->share())) {
             break;
         }
     }
-    return (*writer)->finish();
+    return film->finish();
 }
 
 }  // namespace raks::engine

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
 #include "render/gl/frame_target.hpp"
+#include "render/gl/offscreen.hpp"
 #include "render/video/video_writer.hpp"
 
 namespace raks::engine {
@@ -43,6 +46,30 @@ using FilmProgress = std::function<bool(double share)>;
 
 /// Whether a path is one that write_clip_film writes: the errors of it that show before any work.
 [[nodiscard]] Expected<void> check_clip_film(const ClipFilmPlan& plan);
+
+/// A film that is written picture by picture, by whoever has other things to do between. One that
+/// is destroyed before finish() leaves nothing behind. An OpenGL context must be current, always
+/// the same. Threads: the context's.
+class ClipFilm {
+ public:
+    /// Errors: those of the film, the file and the target.
+    [[nodiscard]] static Expected<ClipFilm> begin(ClipFilmPlan plan);
+    /// Pictures that are in it, of all; [0, 1].
+    [[nodiscard]] double share() const noexcept;
+    /// Draws the next picture; nothing where share() is 1. Errors: as begin.
+    [[nodiscard]] Expected<void> add_next(const DrawFrame& draw);
+    /// Ends it with what there is. Errors: as begin.
+    [[nodiscard]] Expected<void> finish();
+
+ private:
+    ClipFilm(ClipFilmPlan plan, render::OffscreenTarget target);
+
+    ClipFilmPlan plan_;
+    render::OffscreenTarget target_;
+    std::unique_ptr<render::VideoWriter> writer_;  // null: a picture
+    std::vector<std::uint8_t> rgba_;
+    std::size_t done_ = 0;
+};
 
 /// Draws all frames of the plan and writes them. An OpenGL context must be current: whatever the
 /// caller draws with lives in it. Errors: those of the film, the file and the target. Threads: the

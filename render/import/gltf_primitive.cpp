@@ -275,6 +275,7 @@ void PrimitiveReader::read_influences(const JsonField& attributes,
         return;
     }
     const InfluenceFaults faults = merge_influences(raw, primitive.joints, primitive.weights);
+    primitive.uneven_weights = faults.uneven;
     joints.used = std::max(joints.used, faults.used);
     joints.unused = std::max(joints.unused, faults.unused);
     const auto note = [&](bool is_so, std::string_view what) {

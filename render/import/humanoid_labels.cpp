@@ -17,16 +17,6 @@ constexpr std::int64_t kLabelVersion = 1;
 
 constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "-x", "-y", "-z"};
 
-/// Empty: it is 0.
-std::string name_of_axis(const glm::vec3& axis) {
-    for (std::size_t i = 0; i < kAxes.size(); ++i) {
-        if (axis[static_cast<int>(i % 3)] == (i < 3 ? 1.0F : -1.0F)) {
-            return std::string(kAxes[i]);
-        }
-    }
-    return {};
-}
-
 void read_label_head(const toml::table& root, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 3> kKeys = {"format", "version", "bones"};
     complaints.check_head(root, kLabelFormat, kLabelVersion);
@@ -89,6 +79,15 @@ Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& 
         return fail(complaints.fault());
     }
     return labels;
+}
+
+std::string name_of_axis(const glm::vec3& axis) {
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        if (axis[static_cast<int>(i % 3)] == (i < 3 ? 1.0F : -1.0F)) {
+            return std::string(kAxes[i]);
+        }
+    }
+    return {};
 }
 
 std::string bone_labels_text(std::span<const BoneLabel> labels) {

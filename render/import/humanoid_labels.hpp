@@ -42,6 +42,9 @@ struct BoneLabels {
 /// axis that is none of x, y, z, -x, -y, -z, no bones.
 [[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
 
+/// "x", "-y"; empty: it is 0.
+[[nodiscard]] std::string name_of_axis(const glm::vec3& axis);
+
 /// The label file of these labels, whose names are UTF-8: read_bone_labels gives them back.
 [[nodiscard]] std::string bone_labels_text(std::span<const BoneLabel> labels);
 

@@ -6,6 +6,7 @@
 namespace raks::render {
 namespace {
 
+constexpr float kUneven = 1e-3F;
 constexpr float kSumSlack = 0.05F;
 
 struct Influence {
@@ -68,6 +69,7 @@ InfluenceFaults merge_influences(const RawInfluences& raw,
                 influences.add(raw.joints[set][i], raw.weights[set][i], faults);
             }
         }
+        faults.uneven += std::abs(influences.sum() - 1.0F) > kUneven ? 1U : 0U;
         if (influences.count() == 0) {
             faults.has_none = true;
             influences.add(raw.joints.front()[4 * v], 1.0F, faults);

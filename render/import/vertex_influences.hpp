@@ -20,6 +20,7 @@ struct InfluenceFaults {
     bool has_negative = false;   ///< read as 0
     bool has_none = false;       ///< a vertex without weight: all of it to its first joint
     bool has_other_sum = false;  ///< further than 5 % from 1
+    std::size_t uneven = 0;      ///< vertices whose weights sum to other than 1 (0.001)
     bool has_more = false;       ///< more than four that weigh
     int used = -1;               ///< the largest joint that weighs
     int unused = -1;             ///< the largest that does not

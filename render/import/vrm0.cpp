@@ -286,6 +286,14 @@ void read_meta0(const JsonField& meta, Model& model) {
             licence.name = std::move(address);
         }
     }
+    const bool has_thumbnail = read_part(meta["texture"], model, [&](JsonField texture) {
+        // Files without a picture say -1.
+        constexpr std::int64_t kMost = 1'000'000;
+        const auto index = static_cast<std::size_t>(texture.whole_or(-1, -1, kMost) + 1);
+        licence.thumbnail =
+            index == 0 || index > model.textures.size() ? -1 : model.textures[index - 1].image;
+    });
+    static_cast<void>(has_thumbnail);  // said in a warning
     read_terms(meta, {"title", "version", "author", "contactInformation", "texture"}, model);
 }
 

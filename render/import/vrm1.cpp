@@ -169,9 +169,9 @@ void read_meta1(const JsonField& meta, Model& model) {
                 "thumbnailImage"},
                model);
     const bool has_thumbnail = read_part(meta["thumbnailImage"], model, [&](JsonField image) {
-        static_cast<void>(image.index_or_none(model.images.size()));
+        licence.thumbnail = image.index_or_none(model.images.size());
     });
-    static_cast<void>(has_thumbnail);  // the picture of a model is not shown; its fault is said
+    static_cast<void>(has_thumbnail);  // said in a warning
 }
 
 // ---- VRM animation

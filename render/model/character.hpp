@@ -181,6 +181,7 @@ struct Licence {
     bool is_credit_required = false;
     /// All that the file says of use, as (its own key, its own value), in the file's order.
     std::vector<std::pair<std::string, std::string>> terms;
+    int thumbnail = -1;  ///< image: a picture of it
 };
 
 enum class VrmVersion : std::uint8_t { none, vrm0, vrm1 };

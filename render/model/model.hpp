@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -51,6 +52,7 @@ struct ModelPrimitive {
     /// Four influences: joints of the skin, weights that sum to 1. Of more, the four largest.
     std::vector<std::array<std::uint16_t, 4>> joints;
     std::vector<std::array<float, 4>> weights;
+    std::size_t uneven_weights = 0;  ///< vertices whose weights in the file do not sum to 1 (0.001)
     std::vector<std::uint32_t> indices;  ///< triangles, counter-clockwise; three at a time
     std::vector<MorphTarget> morphs;     ///< as many for each primitive of a mesh
 };

@@ -1,7 +1,6 @@
 #include "render/model/sub_meshes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace raks::render {
@@ -44,22 +43,17 @@ std::vector<std::pair<int, int>> texture_sizes(const Model& model, int material)
 }
 
 void count_weights(const ModelPrimitive& primitive, SubMesh& part) {
-    constexpr float kSlack = 1e-3F;
     std::set<int> joints;
     for (std::size_t vertex = 0; vertex < primitive.weights.size(); ++vertex) {
-        float sum = 0.0F;
         for (std::size_t i = 0; i < 4; ++i) {
             const float weight = primitive.weights[vertex][i];
-            sum += weight;
             if (weight > 0.0F) {
                 joints.insert(primitive.joints[vertex][i]);
             }
         }
-        if (std::abs(sum - 1.0F) > kSlack) {
-            ++part.uneven_weights;
-        }
     }
     part.joints = joints.size();
+    part.uneven_weights = primitive.uneven_weights;
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ void PaneContext::take(std::span<const WindowEvent> events) {
 // known before.
 void PaneContext::take_up(const PointerPlace& pointer) {
     keys_.clear();
+    dropped_.clear();
     wheel_ = 0.0F;
     std::fill(std::begin(went_down_), std::end(went_down_), false);
     pointer_ = waiting_.empty() ? pointer : pointer_;
@@ -111,7 +112,8 @@ void PaneContext::take_up(const PointerPlace& pointer) {
         const WindowEvent event = waiting_.front();
         const auto* const button = std::get_if<MouseButtonEvent>(&event);
         const auto* const key = std::get_if<KeyEvent>(&event);
-        if ((button != nullptr || key != nullptr) && has_motion) {
+        const auto* const drop = std::get_if<DropEvent>(&event);
+        if ((button != nullptr || key != nullptr || drop != nullptr) && has_motion) {
             return;
         }
         waiting_.pop_front();
@@ -123,6 +125,10 @@ void PaneContext::take_up(const PointerPlace& pointer) {
         }
         if (key != nullptr) {
             keys_.push_back(*key);
+            return;
+        }
+        if (drop != nullptr) {
+            dropped_ = drop->paths;
             return;
         }
         has_motion = true;
@@ -179,7 +185,8 @@ PaneFrame PaneContext::frame_of(const PaneArea& area) {
                     {},
                     wheel_,
                     {},
-                    {}};
+                    {},
+                    dropped_};
     // Keys belong to a text field while one is typed into.
     if (!ImGui::GetIO().WantTextInput) {
         frame.keys = keys_;

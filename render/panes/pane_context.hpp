@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/key.hpp"
@@ -39,6 +40,7 @@ struct PaneFrame {
     float wheel = 0.0F;                  ///< steps since then; up is positive
     std::vector<MouseButton> held;       ///< buttons that are down
     std::vector<MouseButton> went_down;  ///< since the frame before
+    std::vector<std::string> dropped{};  ///< files that were dropped since then
     [[nodiscard]] bool holds(MouseButton button) const noexcept;        ///< whether it is down
     [[nodiscard]] bool has_pressed(MouseButton button) const noexcept;  ///< went down just now
 };
@@ -51,8 +53,9 @@ struct PaneFrame {
 ///     draw_something(context.begin({.width = 1280, .height = 720}, window.pointer()), state);
 ///     context.end();
 ///
-/// A frame has one key, one press or release of a button, or motion, so that each finds what the
-/// one before has changed, however quickly they come. Threads: one. Real-time: no.
+/// A frame has one key, one press or release of a button, one drop of files, or motion, so that
+/// each finds what the one before has changed, however quickly they come. Threads: one. Real-time:
+/// no.
 class PaneContext {
  public:
     PaneContext();
@@ -90,7 +93,8 @@ class PaneContext {
     int font_generation_ = 0;
     std::deque<WindowEvent> waiting_;
     std::vector<KeyEvent> keys_;  // of this frame
-    PointerPlace pointer_;        // of this frame; pixels
+    std::vector<std::string> dropped_;
+    PointerPlace pointer_;  // of this frame; pixels
     float wheel_ = 0.0F;
     bool has_begun_ = false;  // a first frame
     bool is_down_[3] = {};

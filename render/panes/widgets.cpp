@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -80,6 +81,42 @@ bool pane_row(const PaneFrame& frame, const Box& box, const PaneRow& row) {
              row.note,
              Align::right);
     return item.is_clicked;
+}
+
+std::optional<float> pane_slider(const PaneFrame& frame, const Box& box, const PaneSlider& slider) {
+    constexpr float kName = 0.36F;   // share of the width
+    constexpr float kValue = 52.0F;  // units
+    constexpr float kThick = 4.0F;
+    constexpr float kKnob = 6.0F;
+    const Pen& pen = frame.pen;
+    const Box track{
+        box.x + kName * box.width, box.y, (1.0F - kName) * box.width - kValue, box.height};
+    const PaneItem item = pane_item(track, slider.name, frame);
+    const bool is_pulled = ImGui::IsItemActive();
+    const float middle = box.y + box.height / 2.0F;
+    const float range = slider.high - slider.low;
+    const float left = track.x + kKnob;
+    const float width = track.width - 2.0F * kKnob;
+    const auto place_of = [&](float value) {
+        return left + width * std::clamp((value - slider.low) / range, 0.0F, 1.0F);
+    };
+    const float zero = place_of(0.0F);
+    const float knob = place_of(slider.at);
+    pen.fill({left, middle - kThick / 2.0F, width, kThick}, pane_colours::kRaised, 2.0F);
+    pen.fill({std::min(zero, knob), middle - kThick / 2.0F, std::abs(knob - zero), kThick},
+             palette::kTeal,
+             2.0F);
+    pen.dot(knob, middle, kKnob, is_pulled || item.is_hovered ? palette::kText : palette::kTeal);
+    const ImFont* const font = pen.fonts().body;
+    const float y = middle_of(pen, box, font);
+    pen.text(
+        font, box.x + 4.0F, y, palette::kText, slider.name, Align::left, kName * box.width - 8.0F);
+    pen.text(font, box.right() - 4.0F, y, palette::kDim, slider.value, Align::right);
+    if (!is_pulled) {
+        return std::nullopt;
+    }
+    const float at = std::clamp((frame.pointer.x - left) / width, 0.0F, 1.0F);
+    return slider.low + at * range;
 }
 
 Colour named_colour(std::string_view name) noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "render/panes/pane_context.hpp"
@@ -51,6 +52,19 @@ struct PaneRow {
 };
 /// Draws it. True: it was clicked.
 [[nodiscard]] bool pane_row(const PaneFrame& frame, const Box& box, const PaneRow& row);
+
+/// A number that is pulled from `low` to `high`.
+struct PaneSlider {
+    std::string_view name;   ///< on its left; also the item's name: its own in the frame
+    std::string_view value;  ///< in words, at its right end
+    float at = 0.0F;
+    float low = 0.0F;
+    float high = 1.0F;  ///< above `low`
+};
+/// Draws it. Result: where it was pulled or clicked to.
+[[nodiscard]] std::optional<float> pane_slider(const PaneFrame& frame,
+                                               const Box& box,
+                                               const PaneSlider& slider);
 
 /// The colour of a name that people give to paints ("green", "cyan"); another one for each name
 /// that is none, always the same.

@@ -61,6 +61,8 @@ struct Scene {
     /// Drawn beside the dancers, once the renderer is prepared for them.
     std::vector<LitSphere> spheres{};
     const Theme* theme = &default_theme();  ///< never null
+    /// Of avatars the edges of triangles alone are drawn.
+    bool is_wireframe = false;
     /// What painted bodies wear.
     Dress dress = Dress::dancer;
     /// On the theme's lights.

@@ -141,6 +141,29 @@ TEST_F(ShownModels, a_label_file_that_cannot_be_read_is_a_fault) {
         << model.error().message;
 }
 
+TEST_F(ShownModels, other_labels_move_it_at_once_and_its_motion_goes_and_comes_with_its_bones) {
+    const std::string clip = std::string(RAKS_SOURCE_DIR) + "/tests/data/bvh/dance/own_dance.bvh";
+    auto model = load();
+    ASSERT_TRUE(model) << model.error().message;
+    const auto taken = take_motion(clip, *model);
+    ASSERT_TRUE(taken) << taken.error().message;
+    const std::size_t frames = model->frame_count();
+    const std::vector<std::string> notes = model->notes;
+    EXPECT_GT(frames, 1U);
+
+    stand_by_labels({{.bone = motion::Bone::hips, .node = "HandL"}}, *model);
+    EXPECT_EQ(model->frame_count(), 1U) << "hips on a hand make no figure";
+    EXPECT_TRUE(std::any_of(model->notes.begin(), model->notes.end(), [](const auto& note) {
+        return note.find("it cannot dance") != std::string::npos;
+    }));
+
+    stand_by_labels({}, *model);
+    EXPECT_EQ(model->frame_count(), frames);
+    EXPECT_EQ(model->notes, notes);
+    EXPECT_FALSE(take_motion((folder_ / "none.bvh").string(), *model));
+    EXPECT_EQ(model->frame_count(), frames) << "the one before stays";
+}
+
 TEST_F(ShownModels, a_clip_that_is_not_there_is_a_fault) {
     motion_ = (folder_ / "none.bvh").string();
     const auto model = load();

@@ -40,6 +40,13 @@ class XbodyPanes : public ::testing::Test {
                     apply(*action, session_);
                 }
                 saves_ += std::holds_alternative<SaveXbody>(wish) ? 1 : 0;
+                if (const auto* const film = std::get_if<WriteFilm>(&wish)) {
+                    film_ = film->ending;
+                }
+                film_ = std::holds_alternative<StopFilm>(wish) ? "stopped" : film_;
+                if (const auto* const file = std::get_if<TakeFile>(&wish)) {
+                    dropped_.push_back(file->path);
+                }
             }
         }
     }
@@ -74,6 +81,8 @@ class XbodyPanes : public ::testing::Test {
     render::PaneContext context_;
     render::PointerPlace pointer_;
     int saves_ = 0;
+    std::string film_;
+    std::vector<std::string> dropped_;
 };
 
 TEST_F(XbodyPanes, a_node_a_bone_and_label_make_a_label_which_is_taken_back_and_done_again) {
@@ -143,20 +152,103 @@ TEST_F(XbodyPanes, the_transport_steps_and_jumps) {
     EXPECT_FALSE(session_.transport.is_paused());
 }
 
+TEST_F(XbodyPanes, a_number_and_enter_go_to_that_frame) {
+    press(Key{U'3'});
+    press(Key{U'0'});
+    press(Key::enter);
+    EXPECT_EQ(session_.transport.frame(), 30U);
+    press(Key{U'.'});
+    EXPECT_EQ(session_.transport.frame(), 31U);
+    press(Key::home);
+    EXPECT_EQ(session_.transport.frame(), 0U);
+}
+
+TEST_F(XbodyPanes, a_node_that_is_picked_is_seen_in_the_tree_though_its_branch_was_folded) {
+    apply(FoldBranch{0}, session_);
+    frames({});
+    ASSERT_LT(tree_rows(model_, session_.tree).size(), model_.nodes.size());
+    apply(ChooseNode{node("HandL")}, session_);
+    frames({});
+    const auto rows = tree_rows(model_, session_.tree);
+    const auto found = std::find_if(
+        rows.begin(), rows.end(), [&](const TreeRow& row) { return row.node == session_.node; });
+    EXPECT_NE(found, rows.end());
+    EXPECT_FALSE(session_.is_node_to_see);
+}
+
 TEST_F(XbodyPanes, a_click_near_a_bone_in_the_view_picks_it) {
     const Box& view = layout().view;
     const glm::vec2 middle(view.x + view.width / 2.0F, view.y + view.height / 2.0F);
-    view_.seen.push_back({3, middle + glm::vec2(4.0F, 3.0F), {}, NodeKind::bone, "here"});
-    view_.seen.push_back({4, middle + glm::vec2(40.0F, 0.0F), {}, NodeKind::bone, "there"});
+    view_.seen.skeleton.push_back({3, middle + glm::vec2(4.0F, 3.0F), {}, NodeKind::bone, "here"});
+    view_.seen.skeleton.push_back(
+        {4, middle + glm::vec2(40.0F, 0.0F), {}, NodeKind::bone, "there"});
     click(view);
     EXPECT_EQ(session_.node, 3);
+}
+
+TEST_F(XbodyPanes, a_slider_of_the_chosen_bone_turns_it_and_the_button_above_puts_it_back) {
+    view_.can_pose = true;
+    view_.expressions = {"happy"};
+    apply(ChooseBone{Bone::head}, session_);
+    click(layout().pages[static_cast<std::size_t>(XbodyPage::pose)]);
+    const Box& line = layout().lines[2];  // under the button and the bone's title
+    pointer_ = {line.right() - 70.0F, line.y + line.height / 2.0F};
+    frames({MouseButtonEvent{MouseButton::left, true, pointer_.x, pointer_.y}});
+    frames({MouseButtonEvent{MouseButton::left, false, pointer_.x, pointer_.y}});
+    EXPECT_GT(session_.tuning.turns[motion::index_of(Bone::head)].x, 90.0F);
+    EXPECT_EQ(session_.tuning.turns[motion::index_of(Bone::head)].y, 0.0F);
+    click(layout().lines[0]);
+    EXPECT_EQ(session_.tuning, PoseTuning());
+}
+
+TEST_F(XbodyPanes, the_rest_axis_of_a_label_goes_through_all_and_back_to_none) {
+    apply(ChooseNode{node("HandL")}, session_);
+    apply(ChooseBone{Bone::head}, session_);
+    press(Key{U'a'});
+    EXPECT_TRUE(session_.labels.now().empty()) << "nothing is labelled yet";
+    press(Key{U'l'});
+    click(layout().axis);
+    EXPECT_EQ(session_.labels.now().front().axis, glm::vec3(1.0F, 0.0F, 0.0F));
+    for (int i = 0; i < 6; ++i) {
+        press(Key{U'a'});
+    }
+    EXPECT_EQ(session_.labels.now().front().axis, glm::vec3(0.0F));
+}
+
+TEST_F(XbodyPanes, colours_wires_and_springs_are_chosen_by_buttons) {
+    click(layout().looks[5]);
+    EXPECT_EQ(session_.look().paint, ModelPaint::weights);
+    EXPECT_EQ(session_.look().joint, -1);
+    EXPECT_FALSE(session_.message.empty()) << "which joint";
+    apply(ChooseNode{node("HandL")}, session_);
+    EXPECT_EQ(session_.look().joint, node("HandL"));
+    click(layout().looks[6]);
+    click(layout().looks[2]);
+    EXPECT_TRUE(session_.marks().is_wireframe);
+    EXPECT_TRUE(session_.marks().has_springs);
+}
+
+TEST_F(XbodyPanes, a_film_is_asked_for_and_stopped) {
+    click(layout().pages[static_cast<std::size_t>(XbodyPage::film)]);
+    click(layout().films[2]);
+    EXPECT_EQ(film_, ".avi");
+    view_.film_share = 0.5;
+    click(layout().films[1]);
+    EXPECT_EQ(film_, ".avi") << "one after the other";
+    click(layout().films[4]);
+    EXPECT_EQ(film_, "stopped");
+}
+
+TEST_F(XbodyPanes, a_dropped_file_is_handed_on) {
+    frames({render::DropEvent{{"a.glb", "b.bvh"}}});
+    EXPECT_EQ(dropped_, (std::vector<std::string>{"a.glb", "b.bvh"}));
 }
 
 TEST_F(XbodyPanes, a_drag_in_the_view_turns_the_camera_and_picks_nothing) {
     const Box& view = layout().view;
     const float x = view.x + view.width / 2.0F;
     const float y = view.y + view.height / 2.0F;
-    view_.seen.push_back({3, {x + 60.0F, y}, {}, NodeKind::bone, "here"});
+    view_.seen.skeleton.push_back({3, {x + 60.0F, y}, {}, NodeKind::bone, "here"});
     pointer_ = {x + 60.0F, y};
     const float yaw = session_.camera.yaw;
     frames({MouseButtonEvent{MouseButton::left, true, x, y},

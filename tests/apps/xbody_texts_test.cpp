@@ -7,7 +7,7 @@
 namespace raks::apps {
 namespace {
 
-/// A triangle that two joints move, one vertex of it with weights that sum to 0.5.
+/// A triangle that two joints move, one vertex of it with weights that do not sum to 1 in its file.
 render::Model skinned_triangle() {
     render::Model model;
     render::ModelNode& node = model.nodes.emplace_back();
@@ -21,6 +21,7 @@ render::Model skinned_triangle() {
     primitive.positions = {{0.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, {0.0F, 3.0F, 0.0F}};
     primitive.joints = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 0}};
     primitive.weights = {{1, 0, 0, 0}, {1, 0, 0, 0}, {0.5F, 0, 0, 0}};
+    primitive.uneven_weights = 1;
     primitive.indices = {0, 1, 2};
     primitive.morphs.resize(2);
     model.meshes.emplace_back().primitives.push_back(primitive);

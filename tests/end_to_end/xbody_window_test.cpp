@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/render/import/tiny_tds.hpp"
+#include "tests/support/file_drop.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/xvfb.hpp"
 
@@ -99,6 +101,33 @@ TEST_F(XbodyWindow, labels_are_given_taken_back_done_again_and_saved) {
     press("q");
     const ProcessResult ended = program_->wait();
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
+TEST_F(XbodyWindow, a_model_that_is_dropped_takes_the_place_of_the_first) {
+    ASSERT_TRUE(write_file(folder_ / "other.3ds", tds::figure()));
+    open();
+    drop_files(window_, {path("other.3ds")});
+    label("HandL", Bone::left_upper_arm);
+    press("s");
+    EXPECT_TRUE(program_->wait_until([&](const ProcessResult&) {
+        return std::filesystem::exists(folder_ / "other.labels.toml");
+    }));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "me.labels.toml"));
+    press("q");
+    const ProcessResult ended = program_->wait();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
+TEST_F(XbodyWindow, a_model_without_a_clip_is_filmed_in_one_picture) {
+    for (const char* const name : {"me.avi", "me.png", "me"}) {
+        const ProcessResult ended =
+            run({"xbody", path("me.3ds"), "--size", "320x240", "-o", path(name)});
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "me" / "000001.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "me" / "000002.png"));
+    EXPECT_EQ(run({"xbody", path("me.3ds"), "-o", path("me.gif")}).exit_code, 1);
 }
 
 TEST_F(XbodyWindow, without_a_display_a_line_says_what_else_to_do) {

@@ -49,6 +49,26 @@ TEST(BoneLabelling, each_label_is_a_step_that_is_taken_back_and_done_again) {
     EXPECT_EQ(labels.now(), after);
 }
 
+TEST(BoneLabelling, a_rest_axis_is_a_step_of_a_label_that_there_is) {
+    BoneLabelling labels = bone_labelling({{.bone = Bone::hips, .node = "a"}});
+    set_rest_axis(Bone::head, {1.0F, 0.0F, 0.0F}, labels);
+    EXPECT_FALSE(labels.can_undo()) << "nothing is said of the head";
+    set_rest_axis(Bone::hips, {0.0F, -1.0F, 0.0F}, labels);
+    EXPECT_EQ(labels.now().front().axis, glm::vec3(0.0F, -1.0F, 0.0F));
+    labels.undo();
+    EXPECT_EQ(labels.now().front().axis, glm::vec3(0.0F));
+}
+
+TEST(BoneLabelling, rest_axes_are_offered_one_after_the_other) {
+    std::vector<std::string> names;
+    glm::vec3 axis(0.0F);
+    do {
+        axis = next_rest_axis(axis);
+        names.push_back(render::name_of_axis(axis));
+    } while (axis != glm::vec3(0.0F) && names.size() < 10);
+    EXPECT_EQ(names, (std::vector<std::string>{"x", "y", "z", "-x", "-y", "-z", ""}));
+}
+
 TEST(BoneLabelling, a_name_that_does_not_tell_the_node_is_refused) {
     const render::Model model = model_of({"twice", "twice", "", "\xFF"});
     BoneLabelling labels = bone_labelling({});

@@ -38,7 +38,10 @@ TEST(VertexInfluences, are_divided_by_their_sum) {
     const Merged found = merged({{1, 2, 0, 0}}, {{2, 1, 0, 0}});
     EXPECT_FLOAT_EQ(found.weights[0], 2.0F / 3.0F);
     EXPECT_TRUE(found.faults.has_other_sum);
+    EXPECT_EQ(found.faults.uneven, 1U);
     EXPECT_FALSE(merged({{1, 2, 0, 0}}, {{0.6F, 0.39F, 0, 0}}).faults.has_other_sum);
+    EXPECT_EQ(merged({{1, 2, 0, 0}}, {{0.6F, 0.39F, 0, 0}}).faults.uneven, 1U);
+    EXPECT_EQ(merged({{1, 2, 0, 0}}, {{0.6F, 0.4F, 0, 0}}).faults.uneven, 0U);
 }
 
 TEST(VertexInfluences, that_are_negative_or_missing_are_mended) {

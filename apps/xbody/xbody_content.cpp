@@ -1,0 +1,317 @@
+#include "apps/xbody/xbody_content.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "apps/xbody/xbody_texts.hpp"
+#include "base/printable.hpp"
+#include "engine/setup/user_folders.hpp"
+#include "render/import/humanoid_map.hpp"
+#include "render/import/image.hpp"
+#include "render/import/model_reader.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace raks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+engine::ClipTransport transport_of(const ShownModel& model, std::size_t frame) {
+    return model.clip && frame == 0
+               ? engine::ClipTransport(model.frame_count(), model.rate())
+               : engine::ClipTransport(model.frame_count(), model.rate(), frame);
+}
+
+std::vector<render::BoneLabel> labels_of(const ShownModel& model) {
+    return model.labels ? model.labels->bones : std::vector<render::BoneLabel>();
+}
+
+/// The rectangle of the window that a box of units is.
+render::FrameTarget target_of(const render::Box& box, const render::PaneFrame& frame) {
+    const auto pixels = [&frame](float units) {
+        return static_cast<int>(std::lround(units * frame.pen.unit()));
+    };
+    return {.framebuffer = 0,
+            .x = pixels(box.x),
+            .y = pixels(frame.area.height) - pixels(box.bottom()),
+            .width = pixels(box.right()) - pixels(box.x),
+            .height = pixels(box.bottom()) - pixels(box.y)};
+}
+
+bool is_music_name(const fs::path& path) {
+    constexpr std::array<std::string_view, 6> kEndings = {
+        ".wav", ".mp3", ".flac", ".ogg", ".opus", ".m4a"};
+    return std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end();
+}
+
+}  // namespace
+
+XbodyContent::XbodyContent(XbodyStage stage, render::PaneHost host, const XbodyStart& start)
+    : stage_(std::move(stage)),
+      film_host_(std::move(host)),
+      session_(xbody_session(stage_.model().as_read,
+                             labels_of(stage_.model()),
+                             transport_of(stage_.model(), start.frame),
+                             {})),
+      first_view_(start.view) {
+    session_.has_names = start.has_names;
+    begin_session();
+}
+
+// Of what is the same as long as the model is.
+void XbodyContent::begin_session() {
+    stands_by_ = session_.labels.now();
+    view_.meshes = mesh_lines(stage_.model().as_read);
+    load_thumbnail();
+    follow_session();
+}
+
+// What changes with the labels.
+void XbodyContent::follow_session() {
+    const render::HumanoidMap& humanoid = stage_.model().figure.model.character.humanoid;
+    view_.file = file_lines(stage_.model());
+    view_.expressions = expression_names(stage_.model());
+    view_.can_pose = render::missing_bones(humanoid).empty();
+    view_.can_gaze = stage_.model().as_read.character.has_look_at;
+    view_.film = film_lines(stage_.model(), engine::pictures_folder());
+}
+
+// What is transparent is as dark as the pane.
+void XbodyContent::load_thumbnail() {
+    thumbnail_.reset();
+    view_.thumbnail = nullptr;
+    const render::Model& model = stage_.model().as_read;
+    const int index = model.character.licence.thumbnail;
+    if (index < 0 || model.images[static_cast<std::size_t>(index)].packed.empty()) {
+        return;
+    }
+    const render::ModelImage& packed = model.images[static_cast<std::size_t>(index)];
+    const auto image = render::decode_image(packed.packed, packed.halvings);
+    if (!image) {
+        return;  // said among what was left out
+    }
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            rgb.push_back(
+                static_cast<std::uint8_t>(image->pixels[i + channel] * image->pixels[i + 3] / 255));
+        }
+    }
+    thumbnail_.emplace(image->width, image->height, rgb);
+    view_.thumbnail = &*thumbnail_;
+    view_.thumbnail_aspect = static_cast<float>(image->width) / static_cast<float>(image->height);
+}
+
+void XbodyContent::draw(const render::PaneFrame& frame) {
+    take_dropped();
+    box_ = xbody_layout(frame.area).view;
+    unit_ = frame.pen.unit();
+    if (!first_view_.empty()) {
+        fulfil(FitView{std::exchange(first_view_, std::string())});
+    }
+    add_to_film();
+    draw_model(frame, box_);
+    view_.kinds = node_kinds(stage_.model().as_read, session_.humanoid);
+    view_.seen = seen_marks(stage_.model(),
+                            stage_.shown(),
+                            session_.humanoid,
+                            session_.tree.is_hidden,
+                            session_.camera,
+                            box_,
+                            session_.marks());
+    for (const XbodyWish& wish : xbody_pane(frame, session_, view_)) {
+        std::visit([this](const auto& one) { fulfil(one); }, wish);
+    }
+}
+
+bool XbodyContent::is_moving() {
+    const HostTime now = HostClock::now();
+    session_.transport.advance(to_seconds(now - std::exchange(advanced_, now)));
+    const bool plays = !session_.transport.is_paused() && stage_.model().frame_count() > 1;
+    return plays || film_ || !dropped_.empty();
+}
+
+bool XbodyContent::may_close() {
+    if (session_.labels.is_saved() || is_warned_) {
+        return true;
+    }
+    is_warned_ = true;
+    session_.message = "Not saved: S saves, Q once more closes without";
+    return false;
+}
+
+void XbodyContent::draw_model(const render::PaneFrame& frame, const render::Box& box) {
+    if (session_.labels.now() != stands_by_) {
+        stands_by_ = session_.labels.now();
+        const std::size_t at = session_.transport.frame();
+        const std::size_t count = stage_.model().frame_count();
+        if (auto stood = stage_.stand_by_labels(stands_by_); !stood) {
+            session_.message = stood.error().message;
+        }
+        if (stage_.model().frame_count() != count) {
+            session_.transport = transport_of(stage_.model(), at);
+        }
+        follow_session();
+    }
+    if (auto drawn = stage_.set_look(session_.look()); !drawn) {
+        session_.message = drawn.error().message;
+    }
+    stage_.show(session_.transport.frame(), session_.tuning);
+    stage_.draw(session_.camera, session_.is_wireframe, target_of(box, frame));
+}
+
+// A few pictures a frame, so that the window can be used meanwhile.
+void XbodyContent::add_to_film() {
+    view_.film_share.reset();
+    if (!film_) {
+        return;
+    }
+    constexpr Nanos kMost = std::chrono::milliseconds(40);
+    // Films have panes of their own, which are drawn while the window's are being made.
+    ImGuiContext* const panes = ImGui::GetCurrentContext();
+    const HostTime began = HostClock::now();
+    Expected<void> added;
+    while (added && film_->share() < 1.0 && HostClock::now() - began < kMost) {
+        added = film_->add_next(stage_, film_host_);
+    }
+    ImGui::SetCurrentContext(panes);
+    if (!added) {
+        session_.message = added.error().message;
+        film_.reset();
+    } else if (film_->share() >= 1.0) {
+        fulfil(StopFilm{});
+    } else {
+        view_.film_share = film_->share();
+    }
+}
+
+void XbodyContent::take_dropped() {
+    const fs::path path = std::exchange(dropped_, std::string());
+    if (path.empty()) {
+        return;
+    }
+    session_.message.clear();
+    if (render::is_model_name(path)) {
+        take_model(path.string());
+    } else if (is_music_name(path)) {
+        session_.message = "Music is danced to in another window: raks play MUSIC --avatar MODEL";
+    } else {
+        take_motion(path.string());
+    }
+}
+
+// A file without a surface is a motion.
+void XbodyContent::take_model(const std::string& path) {
+    auto model = load_shown_model({.file = path, .options = {}, .motion = {}, .joints = {}});
+    if (!model) {
+        session_.message = model.error().message;
+        return;
+    }
+    if (model->as_read.meshes.empty() && !model->as_read.animations.empty()) {
+        return take_motion(path);
+    }
+    if (!may_close()) {
+        session_.message = "Labels are not saved: S saves, drop it once more to go on without";
+        return;
+    }
+    film_.reset();
+    if (auto taken = stage_.take_model(std::move(*model)); !taken) {
+        session_.message = taken.error().message;
+    }
+    const XbodySession before = std::exchange(session_,
+                                              xbody_session(stage_.model().as_read,
+                                                            labels_of(stage_.model()),
+                                                            transport_of(stage_.model(), 0),
+                                                            {}));
+    session_.page = before.page;
+    session_.has_bones = before.has_bones;
+    session_.has_names = before.has_names;
+    session_.has_springs = before.has_springs;
+    is_warned_ = false;
+    begin_session();
+    fulfil(FitView{"front"});
+    if (session_.message.empty()) {
+        session_.message = "This is " + printable(fs::path(path).filename().string());
+    }
+}
+
+void XbodyContent::take_motion(const std::string& path) {
+    const auto taken = stage_.take_motion(path);
+    if (!taken) {
+        session_.message = taken.error().message;
+        return;
+    }
+    film_.reset();
+    session_.transport = transport_of(stage_.model(), 0);
+    session_.message = "It is moved by " + printable(fs::path(path).filename().string());
+}
+
+void XbodyContent::fulfil(const XbodyAction& action) {
+    if (!std::holds_alternative<MoveCamera>(action)) {
+        is_warned_ = false;
+    }
+    apply(action, session_);
+}
+
+void XbodyContent::fulfil(const FitView& wish) {
+    session_.camera =
+        camera_before(stage_.model(), stage_.shown(), wish.view, box_.width / box_.height);
+}
+
+void XbodyContent::fulfil(const FrameChosen& /*wish*/) {
+    std::vector<glm::vec3> points =
+        branch_places(stage_.model(), stage_.shown(), session_.node.value_or(-1));
+    if (points.empty()) {
+        points = branch_places(stage_.model(), stage_.shown(), -1);
+    }
+    if (!points.empty()) {
+        session_.camera = camera_before(session_.camera, points, box_.width / box_.height);
+    }
+}
+
+void XbodyContent::fulfil(const SaveXbody& /*wish*/) {
+    const fs::path& file = stage_.model().labels_file;
+    const auto saved = engine::save_labels(file, session_.labels);
+    session_.message = saved ? "Saved: " + printable(file.string()) : saved.error().message;
+}
+
+void XbodyContent::fulfil(const WriteFilm& wish) {
+    auto film = WindowFilm::begin(
+        free_film_name(engine::pictures_folder(), stage_.model().file(), wish.ending),
+        stage_,
+        session_,
+        {static_cast<int>(box_.width * unit_), static_cast<int>(box_.height * unit_)},
+        unit_);
+    if (!film) {
+        session_.message = film.error().message;
+        return;
+    }
+    film_ = std::move(*film);
+    session_.message = "Writing " + printable(film_->file().string());
+}
+
+void XbodyContent::fulfil(const StopFilm& /*wish*/) {
+    if (film_) {
+        const auto written = film_->finish();
+        session_.message =
+            written ? "Written: " + printable(film_->file().string()) : written.error().message;
+        film_.reset();
+    }
+}
+
+void XbodyContent::fulfil(const TakeFile& wish) {
+    dropped_ = wish.path;
+    session_.message = "Reading " + printable(fs::path(wish.path).filename().string());
+}
+
+void XbodyContent::fulfil(const CloseXbody& /*wish*/) { is_finished_ = may_close(); }
+
+}  // namespace raks::apps

@@ -1,0 +1,68 @@
+// Xbody content: what the Xbody window shows and does.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/xbody/window_film.hpp"
+#include "apps/xbody/xbody_pane.hpp"
+#include "apps/xbody/xbody_session.hpp"
+#include "apps/xbody/xbody_stage.hpp"
+#include "apps/xbody/xbody_window.hpp"
+#include "base/time.hpp"
+#include "render/panes/pane_host.hpp"
+#include "render/panes/pane_window.hpp"
+
+namespace raks::apps {
+
+/// A model in a window, from its stage to its labels. Threads: main.
+class XbodyContent : public render::PaneContent {
+ public:
+    /// `host`: draws the marks of films.
+    XbodyContent(XbodyStage stage, render::PaneHost host, const XbodyStart& start);
+    XbodyContent(const XbodyContent&) = delete;             ///< the session refers to the stage
+    XbodyContent& operator=(const XbodyContent&) = delete;  ///< likewise
+
+    void draw(const render::PaneFrame& frame) override;
+    bool is_moving() override;
+    bool may_close() override;
+    [[nodiscard]] bool is_finished() const override { return is_finished_; }
+
+ private:
+    void begin_session();
+    void follow_session();
+    void load_thumbnail();
+    void draw_model(const render::PaneFrame& frame, const render::Box& box);
+    void add_to_film();
+    void take_dropped();
+    void take_model(const std::string& path);
+    void take_motion(const std::string& path);
+
+    void fulfil(const XbodyAction& action);
+    void fulfil(const FitView& wish);
+    void fulfil(const FrameChosen& wish);
+    void fulfil(const SaveXbody& wish);
+    void fulfil(const WriteFilm& wish);
+    void fulfil(const StopFilm& wish);
+    void fulfil(const TakeFile& wish);
+    void fulfil(const CloseXbody& wish);
+
+    XbodyStage stage_;
+    render::PaneHost film_host_;
+    XbodySession session_;
+    std::vector<render::BoneLabel> stands_by_;  // labels by which the model stands
+    XbodyView view_;
+    std::optional<render::PanePicture> thumbnail_;
+    std::optional<WindowFilm> film_;
+    std::string dropped_;     // path that is taken in the next frame, once it is said
+    std::string first_view_;  // until the window's form is known
+    render::Box box_;         // of the model; units
+    float unit_ = 1.0F;       // pixels
+    HostTime advanced_ = HostClock::now();
+    bool is_warned_ = false;  // that labels are not saved
+    bool is_finished_ = false;
+};
+
+}  // namespace raks::apps
