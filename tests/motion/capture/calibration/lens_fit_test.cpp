@@ -69,6 +69,25 @@ TEST(LensFit, is_the_lens_that_took_the_pictures) {
     EXPECT_TRUE(fit->doubts.empty()) << fit->doubts.front();
 }
 
+// What cut boards near the edges of a bent lens suggest at first may be many times too long a focal
+// length.
+TEST(LensFit, is_found_from_boards_that_the_edges_cut) {
+    const Lens bent{640, 480, 480.0, 480.0, 318.0, 242.0, {-0.25, 0.06, 0.0, 0.0}};
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Dice dice(seed, 0);
+        std::vector<std::vector<BoardCorner>> views;
+        for (int i = 0; i < 30; ++i) {
+            const glm::dvec3 turn(dice.normal(0.5), dice.normal(0.5), dice.normal(1.5));
+            std::vector<BoardCorner> corners = seen(bent, turn, 0.2, dice);
+            const int cut = dice.whole(0, static_cast<int>(corners.size()) - 8);
+            views.emplace_back(corners.begin() + cut, corners.end());
+        }
+        const Expected<LensFit> fit = fit_lens(640, 480, kChessboard, views);
+        EXPECT_TRUE(fit) << seed << ": " << fit.error().message;
+        EXPECT_NEAR(fit ? fit->lens.fx : 0.0, 480.0, 15.0) << seed;
+    }
+}
+
 TEST(LensFit, is_refused_where_the_boards_tell_too_little) {
     Dice dice(2, 0);
     std::vector<std::vector<BoardCorner>> views(
