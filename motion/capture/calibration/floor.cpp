@@ -6,7 +6,10 @@
 #include <limits>
 #include <optional>
 
+#include <Eigen/Dense>
+
 #include "base/printable.hpp"
+#include "motion/capture/camera/rotation.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -56,6 +59,59 @@ double cost_of(const Rig& rig,
     return cost;
 }
 
+// By how much what all cameras saw of the board lies off a pose of it; pixels, x and y of each
+// corner in turn.
+Eigen::VectorXd misses(const Rig& rig,
+                       const Board& board,
+                       const RigidMotion& world_from_board,
+                       const std::vector<Sighting>& seen) {
+    std::vector<double> all;
+    for (const Sighting& sighting : seen) {
+        for (const BoardCorner& corner : sighting.corners) {
+            const glm::dvec3 place =
+                world_from_board(glm::dvec3(corner_place(board, corner.corner), 0.0));
+            const auto pixel = project(rig.cameras[sighting.camera], place);
+            // A corner behind its camera says nothing.
+            const glm::dvec2 miss = pixel ? *pixel - corner.pixel : glm::dvec2(0.0);
+            all.insert(all.end(), {miss.x, miss.y});
+        }
+    }
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+// Turned and shifted by six small numbers.
+RigidMotion nudged(const RigidMotion& place, const Eigen::Matrix<double, 6, 1>& by) {
+    return {rotation_of({by[0], by[1], by[2]}) * place.rotation,
+            place.translation + glm::dvec3(by[3], by[4], by[5])};
+}
+
+// The pose near `place` that explains best what all cameras saw (Gauss-Newton). One camera's own
+// proposal is off by what the rig does not know exactly of that camera.
+RigidMotion by_all_cameras(const Rig& rig,
+                           const Board& board,
+                           RigidMotion place,
+                           const std::vector<Sighting>& seen) {
+    constexpr int kMostSteps = 10;
+    constexpr double kTry = 1e-6;  // radians and metres
+    Eigen::VectorXd off = misses(rig, board, place, seen);
+    for (int step = 0; step < kMostSteps; ++step) {
+        Eigen::Matrix<double, Eigen::Dynamic, 6> slopes(off.size(), 6);
+        for (int i = 0; i < 6; ++i) {
+            const auto tried = nudged(place, kTry * Eigen::Matrix<double, 6, 1>::Unit(i));
+            slopes.col(i) = (misses(rig, board, tried, seen) - off) / kTry;
+        }
+        const Eigen::Matrix<double, 6, 1> by = slopes.colPivHouseholderQr().solve(-off);
+        const RigidMotion next = nudged(place, by);
+        Eigen::VectorXd next_off = misses(rig, board, next, seen);
+        if (!(next_off.squaredNorm() < off.squaredNorm())) {
+            break;
+        }
+        place = next;
+        off = std::move(next_off);
+    }
+    return place;
+}
+
 }  // namespace
 
 Expected<void> put_on_floor(Rig& rig, const Board& board, const std::vector<Sighting>& seen) {
@@ -66,7 +122,8 @@ Expected<void> put_on_floor(Rig& rig, const Board& board, const std::vector<Sigh
     for (const Sighting& sighting : seen) {
         const Camera& camera = rig.cameras[sighting.camera];
         for (const BoardPose& pose : board_poses(camera.lens, board, sighting.corners)) {
-            const RigidMotion place = pose_of(camera).inverse().after(pose.camera_from_board);
+            const RigidMotion place = by_all_cameras(
+                rig, board, pose_of(camera).inverse().after(pose.camera_from_board), seen);
             std::vector<std::string> below;
             const RigidMotion floor = floor_from(rig, board, place, below);
             const double cost = cost_of(rig, board, place, seen);

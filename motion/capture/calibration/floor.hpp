@@ -12,8 +12,9 @@ namespace raks::capture {
 /// Moves a rig so that the floor is y = 0, up is y, and the middle of the board on the floor is the
 /// origin, its rows along x. `seen`: what the cameras saw of the board while it lay there, printed
 /// side up or down. A flat board has two poses that explain nearly the same, of which one puts
-/// cameras under the floor: of all poses that cameras propose with every camera above the floor the
-/// one is taken that explains best what all saw. Errors: no camera saw the board; no such pose.
+/// cameras under the floor: each pose that a camera proposes is fitted to what all cameras saw, and
+/// of those with every camera above the floor the one is taken that explains it best. Errors: no
+/// camera saw the board; no such pose.
 [[nodiscard]] Expected<void> put_on_floor(Rig& rig,
                                           const Board& board,
                                           const std::vector<Sighting>& seen);
