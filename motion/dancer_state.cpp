@@ -34,7 +34,7 @@ Nanos landing_lead(Nanos delay, double pace) noexcept {
 /// Move from a figure's start to where this dancer stands on the stage.
 FloorMove stage_of(const DanceContent& content, const DancerPart& part) {
     FloorMove stage = part.is_in_couple ? content.couple : content.stage;
-    stage.offset.x += part.aside;
+    stage.offset += part.place;
     return stage;
 }
 

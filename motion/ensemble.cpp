@@ -9,9 +9,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kSideBySide = 3;
-constexpr double kApart = 1.3;  // metres between two who dance side by side
-constexpr int kCanonBars = 2;   // a figure of eight counts
+constexpr int kCanonBars = 2;  // a figure of eight counts
 
 /// Seed of member i's ways: differs between members, so that they do not move alike.
 std::uint64_t ways_of(std::uint64_t seed, std::size_t member) {
@@ -32,6 +30,10 @@ Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
         }
     }
     dancers_ = std::move(dancers);
+    places_.clear();
+    for (const EnsembleMember& member : members) {
+        places_.emplace_back(member.part.place);
+    }
     hold_.prepare(skeleton);
     const bool is_couple = members.size() == 2 && members[0].part.is_in_couple;
     couple_ = is_couple ? members[0].repertoire : nullptr;
@@ -111,7 +113,8 @@ std::vector<EnsembleMember> members_of(Formation formation,
                                        const std::shared_ptr<const Repertoire>& lead,
                                        const std::shared_ptr<const Repertoire>& follow,
                                        std::uint64_t seed,
-                                       Dynamics dynamics) {
+                                       Dynamics dynamics,
+                                       std::size_t dancers) {
     DancerPart part;
     part.dynamics = dynamics;
     part.seed = part.ways = seed;
@@ -128,10 +131,13 @@ std::vector<EnsembleMember> members_of(Formation formation,
         }
         return members;
     }
-    for (std::size_t i = 0; i < kSideBySide; ++i) {
-        // The first in the middle, then to either side.
-        part.aside = i == 0 ? 0.0 : i == 1 ? -kApart : kApart;
-        part.bars_late = formation == Formation::canon ? kCanonBars * static_cast<int>(i) : 0;
+    // Of more than these the last would begin when the song is over.
+    constexpr std::size_t kCanonVoices = 8;
+    const std::vector<glm::dvec2> places = places_in(formation, dancers_in(formation, dancers));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        part.place = places[i];
+        part.bars_late =
+            formation == Formation::canon ? kCanonBars * static_cast<int>(i % kCanonVoices) : 0;
         part.ways = ways_of(seed, i);
         part.seed = formation == Formation::free ? part.ways : seed;
         members.push_back({lead, part});

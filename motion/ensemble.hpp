@@ -1,17 +1,16 @@
 // Ensemble: several dancers to the same music.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/realtime.hpp"
 #include "motion/dance/hand_hold.hpp"
 #include "motion/dancer.hpp"
+#include "motion/formation.hpp"
 #include "motion/repertoire.hpp"
 
 namespace raks::motion {
@@ -26,11 +25,11 @@ struct EnsembleMember {
 /// Threads: one owner; prepare elsewhere before.
 class Ensemble {
  public:
-    static constexpr std::size_t kMost = 4;  ///< members
+    static constexpr std::size_t kMost = kMostDancers;  ///< members
 
     Ensemble() = default;  ///< of nobody
     /// Of one dancer who is prepared already.
-    Ensemble(Dancer dancer) { dancers_.push_back(std::move(dancer)); }
+    Ensemble(Dancer dancer) : places_(1) { dancers_.push_back(std::move(dancer)); }
 
     /// Errors: none or more than kMost members; as Dancer::prepare says. Real-time: no.
     [[nodiscard]] Expected<void> prepare(std::span<const EnsembleMember> members,
@@ -51,6 +50,8 @@ class Ensemble {
 
     /// Number of members.
     [[nodiscard]] std::size_t size() const noexcept { return dancers_.size(); }
+    /// Where each stands when not carried away by the dance (DancerPart::place). Real-time: yes.
+    [[nodiscard]] std::span<const glm::vec2> places() const noexcept { return places_; }
     /// How firmly the two of a couple hold one another in the newest final poses, by Grip; all 0
     /// for others. Real-time: yes.
     [[nodiscard]] GripWeights held() const noexcept RAKS_NONBLOCKING { return hold_.held(); }
@@ -61,29 +62,20 @@ class Ensemble {
     [[nodiscard]] HoldMoment hold_moment() const noexcept;
 
     std::vector<Dancer> dancers_;
+    std::vector<glm::vec2> places_;  // one a dancer
     // The lead's dances, which say how a couple holds; null unless the first two are a couple.
     std::shared_ptr<const Repertoire> couple_;
     HandHold hold_;
 };
 
-/// How several stand and follow one another.
-enum class Formation {
-    solo,
-    couple,  ///< lead and follow, facing, the same figures
-    unison,  ///< three, the same figures at the same time
-    canon,   ///< three, each two bars after the one before
-    free,    ///< three, each with figures of its own
-};
-/// Names of the formations, in the order of Formation.
-inline constexpr std::array<std::string_view, 5> kFormationNames = {
-    "solo", "couple", "unison", "canon", "free"};
-
 /// The members of a formation. `lead`, `follow`: the two parts of the dance; couples need both.
+/// `dancers`: as for dancers_in.
 [[nodiscard]] std::vector<EnsembleMember> members_of(
     Formation formation,
     const std::shared_ptr<const Repertoire>& lead,
     const std::shared_ptr<const Repertoire>& follow,
     std::uint64_t seed,
-    Dynamics dynamics = Dynamics::on);
+    Dynamics dynamics = Dynamics::on,
+    std::size_t dancers = 0);
 
 }  // namespace raks::motion

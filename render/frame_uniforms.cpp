@@ -171,6 +171,7 @@ FrameView frame_view(const Scene& scene,
               dither_phase(target),
               mask_pixels(eye.clip_from_view, height)};
     u.counts.y = scene.theme->has_tone_curve ? 0.0F : 1.0F;
+    u.counts.z = scene.floor_size;
     return view;
 }
 

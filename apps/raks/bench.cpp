@@ -16,8 +16,10 @@
 #include "audio/music_analyzer.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/show/framing.hpp"
 #include "engine/show/show.hpp"
 #include "motion/dancer.hpp"
+#include "motion/formation.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/scene/scene.hpp"
@@ -187,6 +189,7 @@ Expected<BenchReport> bench_motion(double seconds) {
 // of all threads, as a software renderer uses several.
 Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
                                             const render::Scene& scene,
+                                            std::span<const motion::Pose> poses,
                                             int width,
                                             int height) {
     auto target = render::OffscreenTarget::create(
@@ -194,21 +197,47 @@ Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
     if (!target) {
         return fail(target.error());
     }
-    motion::Pose pose;
-    pose.hips_position = motion::mannequin_skeleton().offsets[0];
     std::vector<double> costs;
     constexpr int kPictures = 60;
     for (int i = 0; i < kPictures; ++i) {
         // finish() waits until the picture is drawn.
         const double start = process_cpu_seconds();
-        renderer.draw(scene, pose, target->frame());
+        renderer.draw(scene, poses, target->frame());
         target->finish();
         costs.push_back(1e3 * (process_cpu_seconds() - start));
     }
     return costs;
 }
 
-// Cost of building the mannequin, and of pictures in two sizes.
+// Those who stand in a grid.
+std::vector<motion::Pose> standing_poses(std::size_t dancers) {
+    std::vector<motion::Pose> poses;
+    for (const glm::dvec2& place : motion::places_in(motion::Formation::grid, dancers)) {
+        motion::Pose& pose = poses.emplace_back();
+        pose.hips_position =
+            motion::mannequin_skeleton().offsets[0] +
+            glm::vec3(static_cast<float>(place.x), 0.0F, static_cast<float>(place.y));
+    }
+    return poses;
+}
+
+// What each of a crowd costs more than the first, seen by the camera that shows all of them.
+Expected<double> cost_of_each_more(render::Renderer& renderer, render::Scene scene) {
+    constexpr std::size_t kCrowd = 12;
+    constexpr int kWidth = 1280;
+    constexpr int kHeight = 720;
+    const std::vector<motion::Pose> crowd = standing_poses(kCrowd);
+    engine::Framing framing(scene.camera, static_cast<float>(kWidth) / kHeight);
+    scene.camera = framing.follow(crowd, 0.0);
+    const auto one = picture_costs(renderer, scene, standing_poses(1), kWidth, kHeight);
+    const auto all = picture_costs(renderer, scene, crowd, kWidth, kHeight);
+    if (!one || !all) {
+        return fail(!one ? one.error() : all.error());
+    }
+    return (spread_of(*all).p50 - spread_of(*one).p50) / (kCrowd - 1);
+}
+
+// Cost of building the mannequin, of pictures in two sizes, and of more dancers.
 Expected<BenchReport> bench_render() {
     const auto context = render::OffscreenContext::create();
     if (!context) {
@@ -227,13 +256,18 @@ Expected<BenchReport> bench_render() {
     // Rings that are shown: confidence and a moment near a beat.
     scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
     for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 360}}) {
-        const auto costs = picture_costs(*renderer, scene, width, height);
+        const auto costs = picture_costs(*renderer, scene, standing_poses(1), width, height);
         if (!costs) {
             return fail(costs.error());
         }
         report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
     }
     report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
+    const auto each = cost_of_each_more(*renderer, scene);
+    if (!each) {
+        return fail(each.error());
+    }
+    report.values.emplace_back("each_more_cpu_ms_1280x720", *each);
     return report;
 }
 

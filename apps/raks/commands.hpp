@@ -210,9 +210,9 @@ struct EvalAvatarArguments {
 struct DanceArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< the music file
-    Path output;                ///< x.bvh or x.vrma; of several dancers x_1.bvh, x_2.bvh, ...
-    double fps = 60.0;          ///< [1, 240]
-    bool is_as_live = false;    ///< the music is analyzed as it comes, as an input is
+    Path output;              ///< x.bvh, x.vrma or x.glb; of several dancers x_1.bvh, x_2.bvh, ...
+    double fps = 60.0;        ///< [1, 240]
+    bool is_as_live = false;  ///< the music is analyzed as it comes, as an input is
 };
 /// Writes the dance to a file as motion. Errors: those of the files and of the dance.
 [[nodiscard]] ExitCode dance(const DanceArguments& arguments);

@@ -1,6 +1,9 @@
 #include "apps/raks/commands.hpp"
 
 #include <cstdio>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
@@ -8,15 +11,19 @@
 #include "base/pending_file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
+#include "engine/show/avatar_files.hpp"
+#include "engine/show/danced_model.hpp"
+#include "engine/show/given_away.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/vrma.hpp"
+#include "render/export/glb_writer.hpp"
 
 #include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
 
-// Writes one dancer's poses; null: this kind of file is not known.
+// Writes one dancer's poses as motion alone; null: the file is of another kind.
 using Writer = decltype(&motion::write_bvh);
 
 Writer writer_of(const Path& output) {
@@ -24,6 +31,42 @@ Writer writer_of(const Path& output) {
     return ending == ".bvh"    ? &motion::write_bvh
            : ending == ".vrma" ? &motion::write_vrma
                                : nullptr;
+}
+
+bool is_with_figure(const Path& output) { return output.extension() == ".glb"; }
+
+// Of the avatars of an output that holds figures. Empty: the mannequin's.
+Expected<std::vector<Path>> avatar_files(const DanceArguments& arguments) {
+    std::vector<Path> files;
+    for (const std::string& name : arguments.settings.avatars) {
+        auto file = engine::find_avatar(name);
+        if (!file) {
+            return fail(file.error());
+        }
+        files.push_back(std::move(*file));
+    }
+    return files;
+}
+
+// Who dances, in turn; said is what their files lack.
+Expected<std::vector<render::Model>> figures_of(const std::vector<Path>& files,
+                                                const engine::AvatarOptions& options) {
+    std::vector<render::Model> figures;
+    for (const Path& file : files) {
+        if (file.empty()) {
+            figures.push_back(engine::mannequin_to_give_away());
+            continue;
+        }
+        auto figure = engine::load_to_give_away(file, options);
+        if (!figure) {
+            return fail(std::move(figure.error()));
+        }
+        for (const std::string& warning : figure->warnings) {
+            say_detail(warning);
+        }
+        figures.push_back(std::move(*figure));
+    }
+    return figures;
 }
 
 // The file of one dancer: x.bvh when there is one, else x_1.bvh, x_2.bvh, ...; of a couple 1 leads.
@@ -37,24 +80,50 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
     return path;
 }
 
+// One dancer as a figure that dances.
+Expected<void> write_figure(const Path& path,
+                            render::Model figure,
+                            std::span<const motion::Pose> poses,
+                            const DanceArguments& arguments) {
+    if (poses.empty()) {
+        return fail(path.string() + ": there is nothing to dance to");
+    }
+    engine::put_dance(
+        figure, poses, arguments.fps, path.stem().string(), arguments.input.filename().string());
+    const auto bytes = render::glb_bytes(figure);
+    return bytes ? write_file(path, *bytes) : fail(bytes.error());
+}
+
 }  // namespace
 
 ExitCode dance(const DanceArguments& given) {
     DanceArguments arguments = given;
     // Checked before the music is read, as everything that can fail at once.
     const Writer write = writer_of(arguments.output);
-    if (write == nullptr) {
+    if (write == nullptr && !is_with_figure(arguments.output)) {
         return fail(arguments.output.string() +
-                    ": cannot write this kind of motion; known: .bvh, .vrma");
+                    ": cannot write this kind of motion; known: .bvh, .vrma, .glb");
     }
-    if (auto checked = check_output(arguments.output, {arguments.input}); !checked) {
+    auto avatars = write == nullptr ? avatar_files(arguments) : std::vector<Path>();
+    if (!avatars) {
+        return fail(std::move(avatars.error()));
+    }
+    std::vector<Path> inputs = *avatars;
+    inputs.push_back(arguments.input);
+    if (auto checked = check_output(arguments.output, inputs); !checked) {
         return fail(std::move(checked.error()));
     }
     auto source = engine::MusicSource::open(arguments.input);
     if (!source) {
         return fail(source.error());
     }
-    const auto setup = open_dancers(arguments.settings);
+    const auto figures = figures_of(*avatars, avatar_options(arguments.settings));
+    if (!figures) {
+        return fail(figures.error());
+    }
+    const auto setup = open_dancers(
+        arguments.settings,
+        figures->empty() ? motion::mannequin_skeleton() : engine::dance_body_of(figures->front()));
     if (!setup) {
         return fail(setup.error());
     }
@@ -86,8 +155,12 @@ ExitCode dance(const DanceArguments& given) {
     // One file a dancer.
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
         const Path path = file_of(arguments.output, i, collect.dancers.size());
-        if (auto written = write(path, setup->skeleton, collect.dancers[i], arguments.fps);
-            !written) {
+        const auto written =
+            write != nullptr
+                ? write(path, setup->skeleton, collect.dancers[i], arguments.fps)
+                : write_figure(
+                      path, (*figures)[i % figures->size()], collect.dancers[i], arguments);
+        if (!written) {
             return fail(written.error());
         }
     }

@@ -1,5 +1,6 @@
 #include "apps/raks/dance_setup.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -37,7 +38,9 @@ Expected<engine::AvatarClip> open_clip(const std::string& motion,
     auto clip = engine::AvatarClip::load(
         motion,
         motion::mannequin_skeleton().offsets[0],
-        {engine::find_avatar(settings.avatar).value_or(fs::path()), settings.avatar_labels, {}});
+        {engine::find_avatar(settings.avatars.front()).value_or(fs::path()),
+         settings.avatar_labels,
+         {}});
     if (clip) {
         for (const std::string& warning : clip->warnings()) {
             say_detail(warning);
@@ -52,20 +55,29 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
         return look;
     }
     const engine::AvatarOptions options = avatar_options(settings);
-    auto avatar = engine::load_avatar(settings.avatar, options);
-    if (!avatar) {
-        return fail(std::move(avatar.error()));
+    if (settings.avatars.size() > 1 && !options.labels.empty()) {
+        return fail(
+            "--labels says which nodes are the bones of one avatar, and there are several: save "
+            "each one's as MODEL.labels.toml beside it");
     }
-    if (settings.avatar == engine::kMannequinName && (options.height || !options.labels.empty())) {
+    auto avatars = engine::load_avatars(settings.avatars, options);
+    if (!avatars) {
+        return fail(std::move(avatars.error()));
+    }
+    const bool has_mannequin = std::any_of(
+        avatars->begin(), avatars->end(), [](const auto& avatar) { return avatar.is_mannequin; });
+    if (has_mannequin && (options.height || !options.labels.empty())) {
         say("the mannequin keeps its own height and bones");
     }
-    if (!avatar->credit.empty()) {
-        say("avatar: " + avatar->credit);
+    for (const std::string& credit : engine::credits_of(*avatars)) {
+        say("avatar: " + credit);
     }
-    for (const std::string& warning : avatar->warnings) {
-        say_detail(warning);
+    for (const engine::LoadedAvatar& avatar : *avatars) {
+        for (const std::string& warning : avatar.warnings) {
+            say_detail(warning);
+        }
     }
-    engine::put_on(std::move(*avatar), *look);
+    engine::put_on(std::move(*avatars), *look);
     return look;
 }
 

@@ -12,15 +12,22 @@ constexpr const char* kMotionHelp =
 // Several commands have it; the names are checked with the settings.
 void add_formation_option(CLI::App& app, engine::Settings& settings) {
     app.add_option(
-        "--formation", settings.formation, "solo, couple, unison, canon or free (three dancers)");
+        "--formation", settings.formation, "solo, couple, unison, canon, free, grid, ring or v");
+    app.add_option("--dancers",
+                   settings.dancers,
+                   "1 to 32; 0: as many as the formation has, and one for each avatar");
 }
 
-// Who dances.
-void add_avatar_options(CLI::App& app, engine::Settings& settings) {
+// Who dances. `most`: avatars that may be given.
+void add_avatar_options(CLI::App& app, engine::Settings& settings, std::size_t most) {
     app.add_option("--avatar",
-                   settings.avatar,
-                   "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or one of raks "
-                   "avatar list");
+                   settings.avatars,
+                   most == 1 ? "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or "
+                               "one of raks avatar list"
+                             : "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or "
+                               "one of raks avatar list; several times: worn in turn")
+        ->expected(1, static_cast<int>(most))
+        ->allow_extra_args(false);
     app.add_option(
         "--height", settings.avatar_height, "metres that the avatar is tall; 0: its own");
     app.add_option(
@@ -39,7 +46,7 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     add_generator_option(app, settings);
     add_dynamics_option(app, settings);
     app.add_option("--seed", settings.seed, "same seed, same dance");
-    add_avatar_options(app, settings);
+    add_avatar_options(app, settings, engine::kMostAvatars);
     app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
     app.add_option("--dress", settings.dress, "of the mannequin: dancer or mannequin");
     app.add_option(
@@ -137,12 +144,14 @@ void add_render(RaksCommands& table) {
 void add_dance(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "dance", "write the dance to a file as motion", dance);
     app->add_option("file", a->input, "music file")->required();
-    app->add_option(
-           "-o,--out", a->output, "X.bvh, X.vrma; of several dancers X_1.bvh, X_2.bvh, ...")
+    app->add_option("-o,--out",
+                    a->output,
+                    "X.bvh, X.vrma, X.glb with the avatar; of several dancers X_1.bvh, ...")
         ->required();
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
     add_as_live_option(*app, a->is_as_live);
     add_formation_option(*app, a->settings);
+    add_avatar_options(*app, a->settings, engine::kMostAvatars);
     app->add_option("--dance",
                     a->settings.dance,
                     "the dance to keep to: name, folder or written dance (X.toml); or auto");
@@ -176,7 +185,7 @@ void add_sheet(RaksCommands& table) {
         ->check(CLI::NonNegativeNumber);
     app->add_option("--fps", a->settings.fps, "pictures a second of a film")
         ->check(CLI::Range(1.0, 240.0));
-    add_avatar_options(*app, a->settings);
+    add_avatar_options(*app, a->settings, 1);
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--dress", a->settings.dress, "of the mannequin: dancer or mannequin");
     app->add_option("--view", a->settings.view, "skin, stick or auto");

@@ -22,6 +22,7 @@
 #include "render/video/video_writer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raks::apps {
 namespace {
@@ -55,6 +56,7 @@ class Film final : public engine::OfflineDriver::Sink {
     void on_hop(const engine::PerformedHop& hop) override {
         last_.emplace(Last{hop.music, hop.dancer});
         tracks_ = hop.tracks;
+        places_ = hop.places;
         show_.advance(hop.music, hop.tracks);
         while (!fault_ &&
                next_moment() + lead_ + kTailStep <= time_of_hop(hop.track.newest_final())) {
@@ -97,6 +99,7 @@ class Film final : public engine::OfflineDriver::Sink {
         show_.draw({last_->music,
                     last_->dancer,
                     {.tracks = tracks_,
+                     .places = places_,
                      .moment = moment,
                      .lead = lead_,
                      .face = face_at_ ? face_at_(to_seconds(moment)) : std::nullopt}},
@@ -153,6 +156,7 @@ class Film final : public engine::OfflineDriver::Sink {
     std::int64_t next_ = 0;
     std::optional<Last> last_;
     std::span<const motion::PoseTrack> tracks_;
+    std::span<const glm::vec2> places_;
     std::optional<Error> fault_;
     FaceAt face_at_;
 };
@@ -193,8 +197,9 @@ render::VideoOptions video_options(const RenderArguments& arguments, const engin
     render::VideoOptions options;
     options.width = look.size.width;
     options.height = look.size.height;
-    if (!look.avatar.credit.empty()) {
-        options.comment = "Avatar: " + look.avatar.credit;
+    const std::vector<std::string> credits = engine::credits_of(look.avatars);
+    if (!credits.empty()) {
+        options.comment = fmt::format("Avatar: {}", fmt::join(credits, "; "));
     }
     // The nearest rate that the format can express.
     options.rate = render::FrameRate::nearest(arguments.settings.fps);
@@ -383,7 +388,8 @@ ExitCode render(const RenderArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto setup = open_dancers(arguments.settings, render::dance_body(*look->avatar.avatar));
+    const auto setup =
+        open_dancers(arguments.settings, render::dance_body(*look->avatars.front().avatar));
     if (!setup) {
         return fail(setup.error());
     }

@@ -139,7 +139,8 @@ ExitCode sheet(const SheetArguments& given) {
     // A film has one pose a picture: 60 fps / BPM pictures a beat.
     const SheetPlan plan =
         is_sheet ? SheetPlan() : SheetPlan{kFilmCounts, 60.0 * fps / arguments.bpm};
-    const auto setup = open_dances(arguments.settings, render::dance_body(*look->avatar.avatar));
+    const auto setup =
+        open_dances(arguments.settings, render::dance_body(*look->avatars.front().avatar));
     if (!setup) {
         return fail(setup.error());
     }

@@ -94,14 +94,14 @@ SheetStudio::SheetStudio(render::OffscreenContext context,
     : context_(std::move(context)),
       renderer_(std::move(renderer)),
       scene_(look.scene),
-      size_(render::size_of(*look.avatar.avatar)) {}
+      size_(render::size_of(*look.avatars.front().avatar)) {}
 
 Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Quality quality) {
     auto context = render::OffscreenContext::create();
     if (!context) {
         return fail(context.error());
     }
-    auto renderer = render::Renderer::create(*look.avatar.avatar, {.quality = quality});
+    auto renderer = render::Renderer::create(*look.avatars.front().avatar, {.quality = quality});
     if (!renderer) {
         return fail(renderer.error());
     }

@@ -77,7 +77,7 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
         return fail(look.error());
     }
     // Until it is solved for the avatar, the dance is retargeted.
-    formations.ask_for_body(render::dance_body(*look->avatar.avatar));
+    formations.ask_for_body(render::dance_body(*look->avatars.front().avatar));
     std::unique_ptr<StageLoop> loop(
         new StageLoop(settings, options, std::move(dances), formations));
     if (!options.is_headless) {
@@ -414,13 +414,14 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
     formations_.ask_for_body(render::dance_body(picture.bodies.avatar()));
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
-    const engine::ShownMoment shown{
-        stage.music,
-        stage.dancer,
-        {.tracks = std::span(stage.tracks).first(stage.dancers), .moment = moment}};
+    const engine::ShownMoment shown{stage.music,
+                                    stage.dancer,
+                                    {.tracks = std::span(stage.tracks).first(stage.dancers),
+                                     .places = std::span(stage.places).first(stage.dancers),
+                                     .moment = moment}};
     staging_.set_picture(
         static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),
-        render::size_of(picture.bodies.avatar()));
+        picture.bodies.size());
     follow_dance();
     staging_.set(picture.scene, picture.camera, {.time = moment}, shown.danced.tracks);
     draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);

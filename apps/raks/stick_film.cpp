@@ -130,7 +130,8 @@ Expected<void> film(const StickArguments& arguments,
     if (!context) {
         return fail(context.error());
     }
-    auto renderer = render::Renderer::create(*look.avatar.avatar, {.quality = best_quality(look)});
+    auto renderer =
+        render::Renderer::create(*look.avatars.front().avatar, {.quality = best_quality(look)});
     if (!renderer) {
         return fail(renderer.error());
     }

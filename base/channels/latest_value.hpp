@@ -12,7 +12,7 @@ namespace raks {
 /// Passes the newest value from one writer to one reader; older values are overwritten by design. A
 /// triple buffer: each side owns one slot, the third changes hands with one atomic exchange.
 ///
-/// Non-blocking guarantees: write and read are wait-free (one copy, one exchange).
+/// Non-blocking guarantees: write, write_with and read are wait-free (one copy, one exchange).
 /// Threads: write from one thread, read from one thread. Real-time: yes, both.
 template <typename T>
 class LatestValue {
@@ -25,7 +25,14 @@ class LatestValue {
 
     /// Publishes a copy of `value`.
     void write(const T& value) noexcept RAKS_NONBLOCKING {
-        slots_[write_index_].value = value;
+        write_with([&value](T& slot) { slot = value; });
+    }
+
+    /// Publishes what `fill` makes of a slot that holds some older value: for a large T of which a
+    /// part is in use. `fill` must not throw, nor block.
+    template <typename Fill>
+    void write_with(Fill fill) noexcept RAKS_NONBLOCKING {
+        fill(slots_[write_index_].value);
         // release: pairs with the acquire in read(), which then sees the whole value;
         // acquire: the slot we get back was given up by read()'s release.
         const std::uint8_t old = shared_.exchange(static_cast<std::uint8_t>(write_index_ | kFresh),

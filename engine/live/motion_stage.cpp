@@ -1,5 +1,6 @@
 #include "engine/live/motion_stage.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/assert.hpp"
@@ -9,11 +10,21 @@
 
 namespace raks::engine {
 
+void StageState::copy_used(const StageState& from) noexcept {
+    std::copy_n(from.tracks.begin(), from.dancers, tracks.begin());
+    dancers = from.dancers;
+    places = from.places;
+    music = from.music;
+    dancer = from.dancer;
+    published_at_ns = from.published_at_ns;
+    recent = from.recent;
+}
+
 MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
     : dancers_(std::make_unique<motion::Ensemble>(std::move(dancers))),
       wiring_(std::move(wiring)),
       stage_(std::make_unique<StageState>()) {
-    stage_->dancers = dancers_->size();
+    take_places();
     // What is seen until the music begins.
     dancers_->stand_ready(stage_->tracks);
     publish();
@@ -22,9 +33,14 @@ MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
     }
 }
 
+void MotionStage::take_places() noexcept {
+    stage_->dancers = dancers_->size();
+    std::copy(dancers_->places().begin(), dancers_->places().end(), stage_->places.begin());
+}
+
 void MotionStage::publish() noexcept {
     for (StageChannel* const reader : wiring_.readers) {
-        reader->write(*stage_);
+        reader->write_with([this](StageState& slot) { slot.copy_used(*stage_); });
     }
 }
 
@@ -67,7 +83,7 @@ void MotionStage::obey(const Order& order) noexcept RAKS_NONBLOCKING {
     static_cast<void>(has_room);
     // Empty now, so nothing is freed.
     RAKS_TRUSTED(dancers_.reset(order.dancers));
-    stage_->dancers = dancers_->size();
+    take_places();
     if (order.entry == Entry::onward) {
         return;
     }

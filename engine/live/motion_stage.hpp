@@ -21,7 +21,9 @@ namespace raks::engine {
 /// What is published after each wake-up: all that a picture needs, taken at one hop.
 struct StageState {
     std::array<motion::PoseTrack, motion::Ensemble::kMost> tracks;  ///< one a dancer
-    std::size_t dancers = 1;           ///< how many of the tracks are in use
+    std::size_t dancers = 1;  ///< how many of the tracks are in use; others mean nothing
+    /// Where each of them stands when not carried away by the dance (motion::DancerPart::place).
+    std::array<glm::vec2, motion::Ensemble::kMost> places{};
     MusicState music;                  ///< the state that was danced to last
     motion::DancerStatus dancer;       ///< of the first
     std::int64_t published_at_ns = 0;  ///< CLOCK_MONOTONIC; 0: nothing was danced yet
@@ -35,6 +37,8 @@ struct StageState {
         const MusicState& state = recent[static_cast<std::size_t>(hop) % kRecent];
         return published_at_ns != 0 && state.hop == hop ? &state : nullptr;
     }
+    /// Takes what is in use of another stage. Real-time: yes.
+    void copy_used(const StageState& from) noexcept;
     /// The first dancer's.
     [[nodiscard]] const motion::PoseTrack& track() const noexcept { return tracks[0]; }
 };
@@ -59,7 +63,7 @@ class MotionStage {
         /// The states to dance to; this stage is their one consumer.
         EventQueue<MusicState>& states;
         /// One channel a reader; each reads on a thread of its own and none disturbs another. A
-        /// reader costs the motion thread one copy of the stage (about 280 kB) a wake-up.
+        /// reader costs the motion thread one copy of the stage (70 kB a dancer) a wake-up.
         std::vector<StageChannel*> readers = {};
         /// Gets every danced hop; what it has no room for is not counted as danced.
         EventQueue<DancedHop>* record = nullptr;
@@ -112,6 +116,7 @@ class MotionStage {
     static constexpr std::size_t kQueuedOrders = 64;
 
     void obey(const Order& order) noexcept RAKS_NONBLOCKING;
+    void take_places() noexcept;
     void publish() noexcept;
 
     std::unique_ptr<motion::Ensemble> dancers_;

@@ -22,7 +22,12 @@ class DanceEachState final : public audio::MusicAnalyzer::Sink {
 
     void on_state(const MusicState& state) noexcept override {
         dancers_.advance(state, tracks_);
-        sink_.on_hop({state, tracks_.front(), tracks_, dancers_.status(), dancers_.held()});
+        sink_.on_hop({state,
+                      tracks_.front(),
+                      tracks_,
+                      dancers_.status(),
+                      dancers_.held(),
+                      dancers_.places()});
     }
 
  private:

@@ -24,6 +24,7 @@ struct PerformedHop {
     std::span<const motion::PoseTrack> tracks;  ///< of all
     const motion::DancerStatus& dancer;         ///< what the first dancer does, after this hop
     motion::GripWeights held{};                 ///< how firmly a couple holds one another
+    std::span<const glm::vec2> places{};        ///< motion::Ensemble::places
 };
 
 /// The offline driver: the same analyzer and dancers as in the live graph, on a virtual clock that

@@ -15,6 +15,7 @@
 #include "base/hash.hpp"
 #include "base/pending_file.hpp"
 #include "base/suggest.hpp"
+#include "engine/setup/asked_formation.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/dance_library.hpp"
 
@@ -377,13 +378,10 @@ Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
 Expected<Dancers> Dancers::load(const Settings& settings,
                                 const DanceCatalogue& catalogue,
                                 const motion::Skeleton& skeleton) {
-    // The name's index is the enumerator.
-    const auto name = std::find(
-        motion::kFormationNames.begin(), motion::kFormationNames.end(), settings.formation);
-    if (name == motion::kFormationNames.end()) {
-        return fail(unknown_name("formation", settings.formation, motion::kFormationNames));
+    const auto formation = asked_formation(settings);
+    if (!formation) {
+        return fail(std::move(formation.error()));
     }
-    const auto formation = static_cast<motion::Formation>(name - motion::kFormationNames.begin());
     // No repertoires yet: first_of() makes them.
     DanceLoader loader{catalogue, skeleton, form_of(settings), nullptr, nullptr};
     auto lead = loader.first_of(settings, DanceRole::lead);
@@ -392,7 +390,7 @@ Expected<Dancers> Dancers::load(const Settings& settings,
     }
     loader.lead = std::move(*lead);
     // Only a couple needs the follow's part; other formations dance the lead's.
-    if (formation == motion::Formation::couple) {
+    if (*formation == motion::Formation::couple) {
         auto follow = loader.first_of(settings, DanceRole::follow);
         if (!follow) {
             return fail(std::move(follow.error()));
@@ -400,11 +398,12 @@ Expected<Dancers> Dancers::load(const Settings& settings,
         loader.follow = std::move(*follow);
     }
     Dancers dancers;
-    dancers.cast_ = {motion::members_of(formation,
+    dancers.cast_ = {motion::members_of(*formation,
                                         loader.lead,
                                         loader.follow,
                                         static_cast<std::uint64_t>(settings.seed),
-                                        dynamics_of(settings)),
+                                        dynamics_of(settings),
+                                        asked_dancers(settings, *formation)),
                      skeleton};
     // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances(settings, *catalogue.list());

@@ -1,8 +1,9 @@
 #include "engine/setup/formations.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
+
+#include "engine/setup/asked_formation.hpp"
 
 #include <fmt/format.h>
 
@@ -11,23 +12,13 @@ namespace {
 
 using motion::Formation;
 
-constexpr auto& kNames = motion::kFormationNames;
-
-std::string_view name_of(Formation formation) {
-    return kNames[static_cast<std::size_t>(formation)];
-}
-
 // Formations fall into two kinds by the form of the dances that they need.
 bool is_couple(Formation formation) { return formation == Formation::couple; }
 
-// `name` is one of the table's: Dancers::load has refused any other.
-Formation formation_of(std::string_view name) {
-    return static_cast<Formation>(std::find(kNames.begin(), kNames.end(), name) - kNames.begin());
-}
-
 // The next enumerator, cyclically.
 Formation after(Formation formation) {
-    return static_cast<Formation>((static_cast<std::size_t>(formation) + 1) % kNames.size());
+    return static_cast<Formation>((static_cast<std::size_t>(formation) + 1) %
+                                  motion::kFormationNames.size());
 }
 
 }  // namespace
@@ -45,7 +36,7 @@ Expected<Formations> Formations::load(const Settings& settings,
 Formations::Formations(Settings settings, DanceCatalogue catalogue, Dancers dancers)
     : settings_(std::move(settings)),
       catalogue_(std::move(catalogue)),
-      danced_(formation_of(settings_.formation)),
+      danced_(*asked_formation(settings_)),  // Dancers::load has refused any other
       asked_(danced_),
       cast_(dancers.cast()),
       body_(cast_.skeleton) {
@@ -171,7 +162,8 @@ Formations::Change Formations::form() {
                                        found.members.front().repertoire,
                                        found.members.back().repertoire,
                                        static_cast<std::uint64_t>(settings_.seed),
-                                       dynamics_of(settings_));
+                                       dynamics_of(settings_),
+                                       asked_dancers(settings_, asked_));
     cast_.skeleton = found.skeleton;
     danced_ = asked_;
     is_waiting_ = false;

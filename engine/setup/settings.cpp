@@ -23,8 +23,12 @@ namespace fs = std::filesystem;
 // Version of the file format that this program reads.
 constexpr std::int64_t kVersion = 1;
 
-// A pointer to the member that a key sets: one of four types of value.
+// A value that is one text, or several.
+using Texts = std::vector<std::string>;
+
+// A pointer to the member that a key sets: one of five types of value.
 using Member = std::variant<std::string Settings::*,
+                            Texts Settings::*,
                             double Settings::*,
                             std::int64_t Settings::*,
                             bool Settings::*>;
@@ -66,7 +70,18 @@ const std::array kKeys = std::to_array<Key>({
      0,
      "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
     {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
-    {"dance", "formation", &Settings::formation, 0, 0, "solo, couple, unison, canon or free"},
+    {"dance",
+     "formation",
+     &Settings::formation,
+     0,
+     0,
+     "solo, couple, unison, canon, free, grid, ring or v"},
+    {"dance",
+     "dancers",
+     &Settings::dancers,
+     0,
+     kMostAvatars,
+     "0: as many as the formation has, and one for each avatar; solo and couple have their own"},
     {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
     {"dance",
      "dynamics",
@@ -84,11 +99,11 @@ const std::array kKeys = std::to_array<Key>({
      "pictures show the pose this much ahead"},
     {"picture",
      "avatar",
-     &Settings::avatar,
+     &Settings::avatars,
      0,
      0,
      "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or a name in the folder of "
-     "avatars"},
+     "avatars; or a list of them, worn in turn"},
     {"picture", "avatar_height", &Settings::avatar_height, 0, 10, "metres; 0: its own"},
     {"picture",
      "avatar_labels",
@@ -142,9 +157,41 @@ std::vector<std::string_view> names_of_keys(const std::vector<std::string>& stor
     return {storage.begin(), storage.end()};
 }
 
+// One text stands for itself, several as a list.
+std::string toml_texts(const Texts& texts) {
+    if (texts.size() == 1) {
+        return toml_quoted(texts.front());
+    }
+    std::string list;
+    for (const std::string& text : texts) {
+        list += (list.empty() ? "" : ", ") + toml_quoted(text);
+    }
+    return "[" + list + "]";
+}
+
 // "FILE: line N": how errors name a place.
 std::string where(const std::string& name, const toml::source_region& source) {
     return fmt::format("{}: line {}", name, source.begin.line);
+}
+
+// A text, or a list of texts that is not empty; none: it is something else.
+std::optional<Texts> texts_of(const toml::node& node) {
+    if (const auto* const text = node.as_string()) {
+        return Texts{text->get()};
+    }
+    const toml::array* const list = node.as_array();
+    if (list == nullptr || list->empty()) {
+        return std::nullopt;
+    }
+    Texts texts;
+    for (const toml::node& element : *list) {
+        const auto* const text = element.as_string();
+        if (text == nullptr) {
+            return std::nullopt;
+        }
+        texts.push_back(text->get());
+    }
+    return texts;
 }
 
 // Puts one value of the file into its member; returns the error's message, or nothing.
@@ -152,18 +199,27 @@ std::string assign(const Key& key, const toml::node& node, Settings& settings) {
     return std::visit(
         [&](auto member) -> std::string {
             using T = std::remove_reference_t<decltype(settings.*member)>;
-            const std::optional<T> value = node.value<T>();
-            // node.value() converts between whole numbers, decimals and truth values; a file must
-            // not mean one by another. A whole number for a decimal is fine.
-            if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
-                (std::is_same_v<T, bool> && !node.is_boolean())) {
-                constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
-                                                  : std::is_same_v<T, bool>      ? "true or false"
-                                                                                 : "a number";
-                return fmt::format("{} must be {}", full_name(key), kind);
+            if constexpr (std::is_same_v<T, Texts>) {
+                auto texts = texts_of(node);
+                if (!texts) {
+                    return full_name(key) + " must be a text, or a list of texts";
+                }
+                settings.*member = std::move(*texts);
+                return {};
+            } else {
+                const std::optional<T> value = node.value<T>();
+                // node.value() converts between whole numbers, decimals and truth values; a file
+                // must not mean one by another. A whole number for a decimal is fine.
+                if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
+                    (std::is_same_v<T, bool> && !node.is_boolean())) {
+                    constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
+                                                      : std::is_same_v<T, bool> ? "true or false"
+                                                                                : "a number";
+                    return fmt::format("{} must be {}", full_name(key), kind);
+                }
+                settings.*member = *value;
+                return {};
             }
-            settings.*member = *value;
-            return {};
         },
         key.member);
 }
@@ -307,6 +363,10 @@ std::vector<std::string> validate(const Settings& settings) {
                 "{} is {}, must be {} to {}", full_name(key), value, key.low, key.high));
         }
     }
+    if (settings.avatars.size() > kMostAvatars) {
+        faults.push_back(fmt::format(
+            "picture.avatar names {} avatars, at most {}", settings.avatars.size(), kMostAvatars));
+    }
     if (const auto size = parse_size(settings.size); !size) {
         faults.push_back("picture.size: " + size.error().message);
     }
@@ -335,6 +395,8 @@ std::string to_toml(const Settings& settings) {
                 using T = std::decay_t<decltype(settings.*member)>;
                 if constexpr (std::is_same_v<T, std::string>) {
                     return toml_quoted(settings.*member);
+                } else if constexpr (std::is_same_v<T, Texts>) {
+                    return toml_texts(settings.*member);
                 } else if constexpr (std::is_same_v<T, double>) {
                     const std::string number = fmt::format("{}", settings.*member);
                     // A decimal point, so that TOML reads the number back as a decimal.

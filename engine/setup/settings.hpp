@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -9,6 +10,9 @@
 #include "base/expected.hpp"
 
 namespace raks::engine {
+
+/// Avatars that can be worn in turn, and dancers, at most.
+inline constexpr std::size_t kMostAvatars = 32;
 
 /// What a user can set. Precedence, lowest first: these defaults, the installed
 /// config/default.toml, $XDG_CONFIG_HOME/raks/config.toml, the command line. File format:
@@ -25,27 +29,29 @@ struct Settings {
     std::string dance = "auto";              ///< a dance's name, or auto: as recognised
     std::string fallback_dance = "first";    ///< when nothing is recognised; or keep, stand
     std::string figures = "angles";          ///< learnt as angles or positions of the joints
-    std::string formation = "solo";          ///< solo, couple, unison, canon or free
+    std::string formation = "solo";          ///< solo, couple, unison, canon, free, grid, ring or v
+    std::int64_t dancers = 0;                ///< 0: as many as a formation has; [0, 32]
     std::string generator = "trajectories";  ///< or frames: the paper's
     std::string dynamics = "on";             ///< or off: the dance follows nothing but the beat
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]
-    std::string avatar = "mannequin";  ///< or a file, or a name in the person's folder of avatars
-    double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
-    std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
-    std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
-    std::string dress = "dancer";      ///< of painted bodies: dancer or mannequin
-    std::string camera = "director";   ///< or a preset: wide, portrait, front or side
-    bool calm = false;                 ///< fewer cuts; light changes slowly, little, with no accent
-    std::string size = "1280x720";     ///< WIDTHxHEIGHT
-    double fps = 30.0;                 ///< pictures a second, [1, 240]
-    std::string quality = "auto";      ///< auto, fast or high
-    std::string view = "auto";         ///< auto (stick when danced by positions), skin or stick
-    bool face_blink = true;            ///< eyes blink by themselves
-    bool face_mouth = true;            ///< the mouth opens with the music
-    bool face_gaze = true;             ///< eyes look at the camera, or at the partner
-    bool overlay = true;               ///< tempo, bar, dance and levels over the picture
+    /// What dancers wear in turn: "mannequin", a file, or a name in the person's folder of avatars.
+    std::vector<std::string> avatars = {"mannequin"};
+    double avatar_height = 0.0;       ///< metres; 0: its own; [0, 10]
+    std::string avatar_labels;        ///< file that says which nodes are its bones; empty: none
+    std::string theme = "stage";      ///< stage, workshop_dark, studio_light or plain
+    std::string dress = "dancer";     ///< of painted bodies: dancer or mannequin
+    std::string camera = "director";  ///< or a preset: wide, portrait, front or side
+    bool calm = false;                ///< fewer cuts; light changes slowly, little, with no accent
+    std::string size = "1280x720";    ///< WIDTHxHEIGHT
+    double fps = 30.0;                ///< pictures a second, [1, 240]
+    std::string quality = "auto";     ///< auto, fast or high
+    std::string view = "auto";        ///< auto (stick when danced by positions), skin or stick
+    bool face_blink = true;           ///< eyes blink by themselves
+    bool face_mouth = true;           ///< the mouth opens with the music
+    bool face_gaze = true;            ///< eyes look at the camera, or at the partner
+    bool overlay = true;              ///< tempo, bar, dance and levels over the picture
 };
 
 /// Reads a TOML file over `settings`: keys that it lacks keep their value. Errors name file, line

@@ -1,71 +1,121 @@
 #include "engine/show/dancer_bodies.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace raks::engine {
+namespace {
 
-DancerBodies::DancerBodies(render::AvatarHandle handle,
-                           std::shared_ptr<const render::Avatar> avatar,
-                           motion::Skeleton made_for,
-                           FaceHabits habits)
-    : worn_{{handle, std::move(avatar)}}, made_for_(made_for), habits_(habits) {}
+float largest_of(const DancerBodies::Wardrobe& wardrobe) noexcept {
+    float largest = 0.0F;
+    for (const DancerBodies::Builds& builds : wardrobe) {
+        largest = std::max(largest, render::size_of(*builds.front().avatar));
+    }
+    return largest;
+}
 
-std::vector<DancerBodies::Worn> DancerBodies::wear(std::vector<Worn> worn) {
+/// Two who have one place between them.
+bool is_couple(const DancedMoment& danced) noexcept {
+    return danced.tracks.size() == 2 &&
+           (danced.places.size() < 2 || danced.places[0] == danced.places[1]);
+}
+
+glm::vec2 place_of(const DancedMoment& danced, std::size_t dancer) noexcept {
+    return dancer < danced.places.size() ? danced.places[dancer] : glm::vec2(0.0F);
+}
+
+}  // namespace
+
+DancerBodies::DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHabits habits)
+    : wardrobe_(std::move(wardrobe)),
+      size_(largest_of(wardrobe_)),
+      made_for_(made_for),
+      habits_(habits) {}
+
+DancerBodies::Wardrobe DancerBodies::wear(Wardrobe wardrobe) {
     // What springs and faces remember is of the avatar before.
     bodies_.clear();
-    return std::exchange(worn_, std::move(worn));
+    size_ = largest_of(wardrobe);
+    return std::exchange(wardrobe_, std::move(wardrobe));
 }
 
 render::Dancer DancerBodies::still(const motion::Pose& pose) const noexcept {
-    const Worn& worn = worn_.front();
+    const Worn& worn = wardrobe_.front().front();
     return {.avatar = worn.handle,
             .pose = render::retargeted(pose, made_for_, *worn.avatar),
             .state = nullptr};
 }
 
-void DancerBodies::add_partner(render::AvatarHandle handle,
-                               std::shared_ptr<const render::Avatar> avatar) {
-    worn_.push_back({handle, std::move(avatar)});
-    bodies_.clear();
+float DancerBodies::reach_of(std::span<const glm::vec2> places) const noexcept {
+    float farthest = 0.0F;
+    for (const glm::vec2& place : places) {
+        farthest = std::max(farthest, glm::length(place));
+    }
+    return size_ * farthest;
 }
 
 /// The first of a couple leads.
-const DancerBodies::Worn& DancerBodies::worn_by(std::size_t dancer,
-                                                std::size_t count) const noexcept {
-    const std::size_t turn = count == 2 ? 1 - dancer : dancer;
-    return worn_[turn % worn_.size()];
+const DancerBodies::Worn& DancerBodies::worn_by(std::size_t dancer) const noexcept {
+    const Builds& builds = wardrobe_[dancer % wardrobe_.size()];
+    const std::size_t turn = is_couple_ ? 1 - dancer : dancer / wardrobe_.size();
+    return builds[turn % builds.size()];
+}
+
+/// The pose on the dancer's own body. Where sizes differ, each dances as large as it is about the
+/// place that it has among the largest.
+motion::Pose DancerBodies::worn_pose(std::size_t dancer,
+                                     const motion::Pose& danced,
+                                     glm::vec2 place) const noexcept {
+    const render::Avatar& avatar = *worn_by(dancer).avatar;
+    if (wardrobe_.size() == 1) {
+        return render::retargeted(danced, made_for_, avatar);
+    }
+    const glm::vec3 from_middle(place.x, 0.0F, place.y);
+    motion::Pose pose = danced;
+    pose.hips_position -= from_middle;
+    pose = render::retargeted(pose, made_for_, avatar);
+    pose.hips_position += size_ * from_middle;
+    return pose;
 }
 
 /// Bodies are made anew when the number of dancers changes who wears what.
-void DancerBodies::make_bodies(std::size_t count) {
-    if (count != made_count_ && worn_.size() > 1) {
+void DancerBodies::make_bodies(const DancedMoment& danced) {
+    const std::size_t count = danced.tracks.size();
+    const bool was_couple = std::exchange(is_couple_, is_couple(danced));
+    const bool differ = wardrobe_.size() > 1 || wardrobe_.front().size() > 1;
+    if ((count != made_count_ || was_couple != is_couple_) && differ) {
         bodies_.clear();
     }
     made_count_ = count;
-    while (bodies_.size() < count && worn_by(bodies_.size(), count).avatar->rig != nullptr) {
-        const render::AvatarRig& rig = *worn_by(bodies_.size(), count).avatar->rig;
-        bodies_.push_back(std::make_unique<Body>(
-            Body{render::RigState(rig), DancerFace(bodies_.size(), habits_)}));
+    bodies_.resize(std::min(bodies_.size(), count));
+    while (bodies_.size() < count) {
+        const render::AvatarRig* const rig = worn_by(bodies_.size()).avatar->rig.get();
+        bodies_.push_back(rig == nullptr
+                              ? nullptr
+                              : std::make_unique<Body>(Body{render::RigState(*rig),
+                                                            DancerFace(bodies_.size(), habits_)}));
     }
 }
 
 std::span<const render::Dancer> DancerBodies::at(const DancedMoment& danced,
                                                  const MusicState& music,
                                                  const render::Camera& camera) {
-    make_bodies(danced.tracks.size());
+    make_bodies(danced);
     dancers_.clear();
     // All poses first: partners look at each other.
-    const std::size_t count = danced.tracks.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Worn& worn = worn_by(i, count);
+    for (std::size_t i = 0; i < danced.tracks.size(); ++i) {
         const motion::Pose pose = danced.tracks[i].at(danced.moment + danced.lead);
-        dancers_.push_back({.avatar = worn.handle,
-                            .pose = render::retargeted(pose, made_for_, *worn.avatar),
+        dancers_.push_back({.avatar = worn_by(i).handle,
+                            .pose = worn_pose(i, pose, place_of(danced, i)),
                             .state = nullptr,
-                            .outfit = static_cast<int>(count == 2 ? 1 - i : i)});
+                            .outfit = static_cast<int>(is_couple_ ? 1 - i : i)});
     }
-    for (std::size_t i = 0; i < bodies_.size() && i < dancers_.size(); ++i) {
-        move(i, danced, music, camera);
+    for (std::size_t i = 0; i < dancers_.size(); ++i) {
+        if (bodies_[i] != nullptr) {
+            move(i, danced, music, camera);
+        }
     }
     return dancers_;
 }
@@ -75,16 +125,15 @@ void DancerBodies::move(std::size_t dancer,
                         const MusicState& music,
                         const render::Camera& camera) {
     Body& body = *bodies_[dancer];
-    const render::Avatar& avatar = *worn_by(dancer, dancers_.size()).avatar;
+    const render::Avatar& avatar = *worn_by(dancer).avatar;
     const motion::Pose& pose = dancers_[dancer].pose;
-    // A couple's two look at each other, all others at who watches.
-    const bool is_couple = dancers_.size() == 2;
     const FaceMoment moment{
         .time = danced.moment,
         .level_dbfs = music.level_dbfs,
         .loudness_lufs = music.loudness_lufs,
+        // A couple's two look at each other, all others at who watches.
         .gaze_target =
-            is_couple ? head_place(avatar.skeleton, dancers_[1 - dancer].pose) : camera.position(),
+            is_couple_ ? head_place(avatar.skeleton, dancers_[1 - dancer].pose) : camera.position(),
         .head = danced.face ? HeadTurn{}
                             : head_turn_at(danced.tracks[dancer], danced.moment + danced.lead)};
     constexpr float kOwnBody = 1.0F;  // the pose is on this body already
@@ -93,8 +142,8 @@ void DancerBodies::move(std::size_t dancer,
         danced.moment,
         kOwnBody,
         [&](StreamTime time) {
-            return render::retargeted(
-                danced.tracks[dancer].at(time + danced.lead), made_for_, avatar);
+            return worn_pose(
+                dancer, danced.tracks[dancer].at(time + danced.lead), place_of(danced, dancer));
         },
         body.state);
     render::pose_avatar(
@@ -104,6 +153,33 @@ void DancerBodies::move(std::size_t dancer,
         kOwnBody,
         body.state);
     dancers_[dancer].state = &body.state;
+}
+
+DancerBodies::Wardrobe wardrobe_of(const Costumes& costumes, const DancerBodies::Builds& added) {
+    DancerBodies::Wardrobe wardrobe;
+    for (const std::vector<std::size_t>& builds : costumes.builds) {
+        DancerBodies::Builds& worn = wardrobe.emplace_back();
+        for (const std::size_t body : builds) {
+            worn.push_back(added[body]);
+        }
+    }
+    return wardrobe;
+}
+
+std::vector<render::AvatarHandle> handles_of(const DancerBodies::Wardrobe& wardrobe) {
+    std::vector<render::AvatarHandle> handles;
+    for (const DancerBodies::Builds& builds : wardrobe) {
+        for (const DancerBodies::Worn& worn : builds) {
+            const bool is_known =
+                std::any_of(handles.begin(), handles.end(), [&](render::AvatarHandle known) {
+                    return known.number == worn.handle.number;
+                });
+            if (!is_known) {
+                handles.push_back(worn.handle);
+            }
+        }
+    }
+    return handles;
 }
 
 }  // namespace raks::engine

@@ -10,53 +10,64 @@
 #include "base/music_state.hpp"
 #include "base/time.hpp"
 #include "engine/show/dancer_face.hpp"
+#include "engine/show/loaded_avatar.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/camera.hpp"
+
+#include <glm/vec2.hpp>
 
 namespace raks::engine {
 
 /// One moment of the dance, as it is to be drawn.
 struct DancedMoment {
     std::span<const motion::PoseTrack> tracks;  ///< one a dancer, on the stage
-    StreamTime moment{};                        ///< that is seen and heard
-    Nanos lead{0};                              ///< by which the poses are ahead of it
-    std::optional<render::Face> face{};         ///< of a clip; none: by the music
+    /// Where each stands when not carried away by the dance (motion::DancerPart::place); none: all
+    /// in the middle.
+    std::span<const glm::vec2> places{};
+    StreamTime moment{};                 ///< that is seen and heard
+    Nanos lead{0};                       ///< by which the poses are ahead of it
+    std::optional<render::Face> face{};  ///< of a clip; none: by the music
 };
 
-/// The bodies of all dancers: one avatar, or two in turn, and for each dancer what its springs and
-/// its face remember. Tails depend on the poses of stream time alone, not on how often pictures are
-/// drawn. Threads: the OpenGL context's. Real-time: no.
+/// The bodies of all dancers, who wear one avatar or several in turn, and for each dancer what its
+/// springs and its face remember. Tails depend on the poses of stream time alone, not on how often
+/// pictures are drawn. Threads: the OpenGL context's. Real-time: no.
 class DancerBodies {
  public:
-    /// `avatar` is what `handle` names in the renderer. `made_for`: a body that stands as high as
-    /// the one that the dance was solved for. `habits`: of all faces.
-    DancerBodies(render::AvatarHandle handle,
-                 std::shared_ptr<const render::Avatar> avatar,
-                 motion::Skeleton made_for,
-                 FaceHabits habits = {});
-
     /// A body in the renderer.
     struct Worn {
-        render::AvatarHandle handle;
+        render::AvatarHandle handle;  ///< what names `avatar` in the renderer
         std::shared_ptr<const render::Avatar> avatar;
     };
-    /// All wear another avatar from the next moment on, or two in turn (add_partner); tails begin
-    /// anew. Returns what they wore.
-    [[nodiscard]] std::vector<Worn> wear(std::vector<Worn> worn);
+    /// The bodies of one avatar: one, or two with one skeleton. Of the dancers who wear it every
+    /// second one has the second, and of a couple the lead.
+    using Builds = std::vector<Worn>;
+    /// What dancers wear: dancer k has avatar k modulo their number. Not empty.
+    using Wardrobe = std::vector<Builds>;
 
-    /// A second body: the lead of a couple and every second dancer of a group have it. Its skeleton
-    /// must be the first one's.
-    void add_partner(render::AvatarHandle handle, std::shared_ptr<const render::Avatar> avatar);
+    /// `made_for`: a body that stands as high as the one that the dance was solved for. `habits`:
+    /// of all faces.
+    DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHabits habits = {});
+
+    /// From the next moment on they wear this; tails begin anew. Returns what they wore.
+    [[nodiscard]] Wardrobe wear(Wardrobe wardrobe);
 
     /// The dancers at a moment; they hold until the next call. `camera`: where solo dancers look.
     [[nodiscard]] std::span<const render::Dancer> at(const DancedMoment& danced,
                                                      const MusicState& music,
                                                      const render::Camera& camera);
+    /// How far from the stage's middle the farthest place is, metres; 0 without places.
+    [[nodiscard]] float reach_of(std::span<const glm::vec2> places) const noexcept;
     /// A dancer in a pose of the body that dances are solved for, tails and face at rest.
     [[nodiscard]] render::Dancer still(const motion::Pose& pose) const noexcept;
-    [[nodiscard]] const render::Avatar& avatar() const noexcept { return *worn_.front().avatar; }
+    /// The first dancer's.
+    [[nodiscard]] const render::Avatar& avatar() const noexcept {
+        return *wardrobe_.front().front().avatar;
+    }
+    /// How large the largest is, against the mannequin's 1 (render::size_of).
+    [[nodiscard]] float size() const noexcept { return size_; }
 
  private:
     /// One dancer's memory.
@@ -64,20 +75,32 @@ class DancerBodies {
         render::RigState state;
         DancerFace face;
     };
-    /// What a dancer of so many wears.
-    [[nodiscard]] const Worn& worn_by(std::size_t dancer, std::size_t count) const noexcept;
-    void make_bodies(std::size_t count);
+    [[nodiscard]] const Worn& worn_by(std::size_t dancer) const noexcept;
+    [[nodiscard]] motion::Pose worn_pose(std::size_t dancer,
+                                         const motion::Pose& danced,
+                                         glm::vec2 place) const noexcept;
+    void make_bodies(const DancedMoment& danced);
     void move(std::size_t dancer,
               const DancedMoment& danced,
               const MusicState& music,
               const render::Camera& camera);
 
-    std::vector<Worn> worn_;  // one, or two that differ
+    Wardrobe wardrobe_;
+    float size_;
     motion::Skeleton made_for_;
     FaceHabits habits_;
     std::vector<std::unique_ptr<Body>> bodies_;  // of avatars that have a rig
-    std::size_t made_count_ = 0;                 // of dancers, for which `bodies_` are made
+    // Of dancers, for which `bodies_` are made.
+    std::size_t made_count_ = 0;
+    bool is_couple_ = false;
     std::vector<render::Dancer> dancers_;
 };
+
+/// What dancers wear of these costumes, whose bodies the renderer has as `added`, in their order.
+/// Pure.
+[[nodiscard]] DancerBodies::Wardrobe wardrobe_of(const Costumes& costumes,
+                                                 const DancerBodies::Builds& added);
+/// The renderer's handles of it, each once. Pure.
+[[nodiscard]] std::vector<render::AvatarHandle> handles_of(const DancerBodies::Wardrobe& wardrobe);
 
 }  // namespace raks::engine

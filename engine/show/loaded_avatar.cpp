@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <thread>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "render/avatar/model_avatar.hpp"
@@ -54,6 +58,17 @@ std::string credit_line(const render::Licence& licence, const std::string& file)
     return line;
 }
 
+std::vector<std::string> credits_of(const std::vector<LoadedAvatar>& avatars) {
+    std::vector<std::string> credits;
+    for (const LoadedAvatar& avatar : avatars) {
+        if (!avatar.credit.empty() &&
+            std::find(credits.begin(), credits.end(), avatar.credit) == credits.end()) {
+            credits.push_back(avatar.credit);
+        }
+    }
+    return credits;
+}
+
 LoadedAvatar mannequin() {
     return {.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
             .name = std::string(kMannequinName),
@@ -97,6 +112,53 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions&
     LoadedAvatar loaded = make_avatar(*figure, path->filename().string());
     loaded.name = path->string();
     return loaded;
+}
+
+Expected<std::vector<LoadedAvatar>> load_avatars(const std::vector<std::string>& names,
+                                                 const AvatarOptions& options) {
+    std::vector<std::string> different;
+    for (const std::string& name : names) {
+        if (std::find(different.begin(), different.end(), name) == different.end()) {
+            different.push_back(name);
+        }
+    }
+    std::vector<std::optional<Expected<LoadedAvatar>>> loaded(different.size());
+    run_parallel(loaded.size(),
+                 static_cast<int>(std::thread::hardware_concurrency()),
+                 [&](std::size_t i) { loaded[i].emplace(load_avatar(different[i], options)); });
+    std::vector<LoadedAvatar> avatars;
+    for (const std::string& name : names) {
+        const auto place = std::find(different.begin(), different.end(), name) - different.begin();
+        const Expected<LoadedAvatar>& one = *loaded[static_cast<std::size_t>(place)];
+        if (!one) {
+            return fail(one.error());
+        }
+        avatars.push_back(*one);
+    }
+    return avatars;
+}
+
+Costumes costumes_of(const std::vector<LoadedAvatar>& avatars) {
+    Costumes costumes;
+    const auto index_of = [&costumes](const std::shared_ptr<const render::Avatar>& body) {
+        auto& bodies = costumes.bodies;
+        const auto found = std::find(bodies.begin(), bodies.end(), body);
+        const auto index = static_cast<std::size_t>(found - bodies.begin());
+        if (found == bodies.end()) {
+            bodies.push_back(body);
+        }
+        return index;
+    };
+    std::shared_ptr<const render::Avatar> lead;
+    for (const LoadedAvatar& avatar : avatars) {
+        std::vector<std::size_t>& builds = costumes.builds.emplace_back();
+        builds.push_back(index_of(avatar.avatar));
+        if (avatar.is_mannequin) {
+            lead = lead == nullptr ? mannequin_partner() : lead;
+            builds.push_back(index_of(lead));
+        }
+    }
+    return costumes;
 }
 
 }  // namespace raks::engine

@@ -1,6 +1,7 @@
 // Avatars to dance with: the mannequin, or what a model file makes.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,9 +29,12 @@ struct LoadedAvatar {
 /// "Seed-san by VirtualCast, Inc., VRM Public License 1.0 (credit required)". Pure.
 [[nodiscard]] std::string credit_line(const render::Licence& licence, const std::string& file);
 
+/// Those of avatars that have one, each once.
+[[nodiscard]] std::vector<std::string> credits_of(const std::vector<LoadedAvatar>& avatars);
+
 /// The avatar that comes with Raks.
 [[nodiscard]] LoadedAvatar mannequin();
-/// The body of its lead, where dancers differ (DancerBodies::add_partner).
+/// The body of its lead, where dancers differ (DancerBodies::Builds).
 [[nodiscard]] std::shared_ptr<const render::Avatar> mannequin_partner();
 
 /// The avatar of a figure. `file`: its name, for the credit where the model has no title. What its
@@ -42,5 +46,21 @@ struct LoadedAvatar {
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<LoadedAvatar> load_avatar(const std::string& name,
                                                  const AvatarOptions& options = {});
+
+/// Loads several on all cores, each that is named more than once only once. Errors: that of the
+/// first of them that cannot be loaded. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<std::vector<LoadedAvatar>> load_avatars(
+    const std::vector<std::string>& names, const AvatarOptions& options = {});
+
+/// The bodies of each avatar (DancerBodies::Builds), and of all of them those that differ. Made by
+/// workers, worn by dancers.
+struct Costumes {
+    /// Each once.
+    std::vector<std::shared_ptr<const render::Avatar>> bodies;
+    /// Of avatar k: which of `bodies`.
+    std::vector<std::vector<std::size_t>> builds;
+};
+/// Of avatars that are loaded, at least one. Threads: workers. Real-time: no.
+[[nodiscard]] Costumes costumes_of(const std::vector<LoadedAvatar>& avatars);
 
 }  // namespace raks::engine

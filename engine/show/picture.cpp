@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/suggest.hpp"
-
+#include "engine/setup/asked_formation.hpp"
 #include "render/avatar/avatar.hpp"
 
 namespace raks::engine {
@@ -36,9 +36,13 @@ Expected<Look> read_look(const Settings& settings) {
     if (auto known = check_camera(settings.camera); !known) {
         return fail(std::move(known.error()));
     }
+    const auto formation = asked_formation(settings);
+    if (!formation) {
+        return fail(formation.error());
+    }
     look.scene.camera = preset_of(settings.camera);
     // zoom() multiplies the camera's distance.
-    look.scene.camera.zoom(distance_for(settings.formation));
+    look.scene.camera.zoom(distance_for(name_of(*formation)));
     look.camera = settings.camera;
     look.seed = static_cast<std::uint64_t>(settings.seed);
     look.liveliness = settings.calm ? render::Liveliness::calm : render::Liveliness::usual;
@@ -63,9 +67,13 @@ Expected<Look> read_look(const Settings& settings) {
     return look;
 }
 
-void put_on(LoadedAvatar avatar, Look& look) noexcept {
-    look.scene.camera = camera_for(look.scene.camera, render::size_of(*avatar.avatar));
-    look.avatar = std::move(avatar);
+void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept {
+    float largest = 0.0F;
+    for (const LoadedAvatar& avatar : avatars) {
+        largest = std::max(largest, render::size_of(*avatar.avatar));
+    }
+    look.scene.camera = camera_for(look.scene.camera, largest);
+    look.avatars = std::move(avatars);
 }
 
 render::Camera camera_for(render::Camera preset, float size) noexcept {

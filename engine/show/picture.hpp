@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
@@ -21,17 +22,17 @@ struct Look {
     std::uint64_t seed = 1;         ///< of the director's choices
     render::Liveliness liveliness = render::Liveliness::usual;  ///< of director and light
     render::Quality quality = render::Quality::automatic;       ///< for the renderer
-    PictureSize size;     ///< of the window or film, in pixels
-    FaceHabits face;      ///< what faces do by themselves
-    LoadedAvatar avatar;  ///< what all wear (put_on); else the mannequin
+    PictureSize size;                   ///< of the window or film, in pixels
+    FaceHabits face;                    ///< what faces do by themselves
+    std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
 };
 
 /// Resolves the settings, but for the avatar. Errors: an unknown theme or camera (the nearest is
 /// named), a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
 
-/// Puts the avatar on, and the camera where its size asks for. Pure.
-void put_on(LoadedAvatar avatar, Look& look) noexcept;
+/// Puts avatars on, at least one, and the camera where the size of the largest asks for. Pure.
+void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept;
 
 /// A camera preset for dancers of another size than the mannequin's 1: as far away and as high as
 /// shows them as large.

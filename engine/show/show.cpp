@@ -24,14 +24,11 @@ render::Camera audience(render::Camera camera) noexcept {
 }  // namespace
 
 Expected<Drawing> create_drawing(const Look& look) {
-    const LoadedAvatar worn = look.avatar.avatar != nullptr ? look.avatar : mannequin();
-    // Shaders are compiled meanwhile.
-    std::future<std::shared_ptr<const render::Avatar>> partner;
-    if (worn.is_mannequin) {
-        partner = std::async(std::launch::async, mannequin_partner);
-    }
-    const std::shared_ptr<const render::Avatar> avatar = worn.avatar;
-    auto renderer = render::Renderer::create(*avatar, {.quality = look.quality});
+    // Bodies that are not loaded yet are made while the shaders are compiled.
+    auto making = std::async(std::launch::async, [avatars = look.avatars] {
+        return costumes_of(avatars.empty() ? std::vector<LoadedAvatar>{mannequin()} : avatars);
+    });
+    auto renderer = render::Renderer::create({.quality = look.quality});
     if (!renderer) {
         return fail(renderer.error());
     }
@@ -39,18 +36,19 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    Drawing drawing{std::move(*renderer),
-                    DancerBodies({}, avatar, motion::mannequin_skeleton(), look.face),
-                    std::move(*overlay)};
-    if (partner.valid()) {
-        const std::shared_ptr<const render::Avatar> lead = partner.get();
-        const auto handle = drawing.renderer.add(*lead);
+    const Costumes costumes = making.get();
+    DancerBodies::Builds added;
+    for (const std::shared_ptr<const render::Avatar>& body : costumes.bodies) {
+        const auto handle = renderer->add(*body);
         if (!handle) {
             return fail(handle.error());
         }
-        drawing.bodies.add_partner(*handle, lead);
+        added.push_back({*handle, body});
     }
-    return drawing;
+    return Drawing{
+        std::move(*renderer),
+        DancerBodies(wardrobe_of(costumes, added), motion::mannequin_skeleton(), look.face),
+        std::move(*overlay)};
 }
 
 Expected<Show> Show::create(const Look& look,
@@ -75,7 +73,7 @@ Show::Show(const Look& look,
       drawing_(std::move(drawing)),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {
     staging_.set_picture(static_cast<float>(look.size.width) / static_cast<float>(look.size.height),
-                         render::size_of(drawing_.bodies.avatar()));
+                         drawing_.bodies.size());
 }
 
 void Show::draw(const ShownMoment& shown,
@@ -99,6 +97,7 @@ void draw_moment(const ShownMoment& shown,
                  const render::FrameTarget& target) {
     // The rings follow the beat grid at the moment that is shown, which lies between two states.
     scene.rings = render::beat_rings(shown.music.grid, shown.danced.moment);
+    scene.floor_size = render::floor_size_for(bodies.reach_of(shown.danced.places));
     scene.seconds = to_seconds(shown.danced.moment);
     renderer.draw(scene, bodies.at(shown.danced, shown.music, audience(scene.camera)), target);
 }

@@ -120,7 +120,7 @@ WindowLoop::WindowLoop(render::Window window,
       options_(std::move(options)),
       scene_(look.scene),
       camera_name_(look.camera),
-      avatar_name_(look.avatar.avatar != nullptr ? look.avatar.name : kMannequinName),
+      avatar_name_(look.avatars.empty() ? kMannequinName : look.avatars.front().name),
       overlay_view_(options_.cards == Cards::shown ? render::OverlayView::shown
                                                    : render::OverlayView::hidden) {}
 
@@ -266,19 +266,25 @@ void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& conte
     }
 }
 
-// Of several models the last is worn; nothing else is taken.
+// Models that are dropped together are worn in turn; nothing else is taken.
 void WindowLoop::handle(const render::DropEvent& drop, const WindowContent& content) {
+    std::vector<std::string> models;
     for (const std::string& path : drop.paths) {
         if (!content.has_avatar()) {
             say("no avatar is shown here: drop models on the window of play or live");
         } else if (render::is_model_name(path)) {
-            avatar_name_ = path;
-            avatar_change_.ask(path);
-            show("loading " + printable(std::filesystem::path(path).filename().string()));
+            models.push_back(path);
         } else {
             say(printable(path) +
                 ": only models are taken here: .vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj");
         }
+    }
+    if (models.size() > kMostAvatars) {
+        say(fmt::format("of {} models the first {} are taken", models.size(), kMostAvatars));
+        models.resize(kMostAvatars);
+    }
+    if (!models.empty()) {
+        ask_for_avatars(std::move(models));
     }
 }
 
@@ -407,26 +413,33 @@ void WindowLoop::go_to_next_avatar() {
                    std::back_inserter(names),
                    [](const std::filesystem::path& file) { return file.string(); });
     const std::vector<std::string_view> views(names.begin(), names.end());
-    avatar_name_ = name_after(avatar_name_, views);
-    avatar_change_.ask(avatar_name_);
-    show("loading " + printable(std::filesystem::path(avatar_name_).filename().string()));
+    ask_for_avatars({std::string(name_after(avatar_name_, views))});
 }
 
-// Before each picture: a part of the work, if there is any.
+void WindowLoop::ask_for_avatars(std::vector<std::string> names) {
+    avatar_name_ = names.front();
+    const std::string first = printable(std::filesystem::path(avatar_name_).filename().string());
+    show(names.size() == 1 ? "loading " + first
+                           : fmt::format("loading {} and {} more", first, names.size() - 1));
+    avatar_change_.ask(std::move(names));
+}
+
+// Before each picture: a part of the work, if there is any. The camera moves with the size, so that
+// a person's own place is kept.
 void WindowLoop::change_avatar() {
-    const float size_before = render::size_of(drawing_.bodies.avatar());
+    const float size_before = drawing_.bodies.size();
     auto changed = avatar_change_.go_on(drawing_);
     if (!changed) {
         say(changed.error().message);
-    } else if (*changed) {
-        take_avatar(**changed, size_before);
+    } else if (!changed->empty()) {
+        scene_.camera = camera_for(scene_.camera, drawing_.bodies.size() / size_before);
+        for (const LoadedAvatar& avatar : *changed) {
+            say_avatar(avatar);
+        }
     }
 }
 
-// The camera moves with the size, so that a person's own place is kept.
-void WindowLoop::take_avatar(const LoadedAvatar& avatar, float size_before) {
-    scene_.camera =
-        camera_for(scene_.camera, render::size_of(drawing_.bodies.avatar()) / size_before);
+void WindowLoop::say_avatar(const LoadedAvatar& avatar) {
     say("avatar: " + (avatar.credit.empty() ? avatar.name : avatar.credit));
     for (const std::string& warning : avatar.warnings) {
         options_.say_detail(warning);
@@ -439,7 +452,7 @@ render::Camera WindowLoop::preset(const WindowContent& content) const {
     if (is_from_above_) {
         camera.orbit(0.0F, render::Camera::kMaxPitch);
     }
-    return content.framed(camera_for(camera, render::size_of(drawing_.bodies.avatar())));
+    return content.framed(camera_for(camera, drawing_.bodies.size()));
 }
 
 std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,

@@ -143,7 +143,8 @@ class WindowLoop {
     void go_to_next_theme();
     void go_to_next_avatar();
     void change_avatar();
-    void take_avatar(const LoadedAvatar& avatar, float size_before);
+    void ask_for_avatars(std::vector<std::string> names);
+    void say_avatar(const LoadedAvatar& avatar);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;
 
     // The window before what is drawn in it: its context must live longer.
@@ -154,7 +155,7 @@ class WindowLoop {
     std::string camera_name_;
     bool is_camera_held_ = false;  // by a person's hand
     bool is_from_above_ = false;   // steeper than the preset, which shows a dancer's face
-    std::string avatar_name_;      // as LoadedAvatar::name, of the one asked for last
+    std::string avatar_name_;      // as LoadedAvatar::name, of the first of those asked for last
     AvatarChange avatar_change_;
     render::OverlayView overlay_view_;
     std::vector<render::HelpRow> help_;  // none: hidden

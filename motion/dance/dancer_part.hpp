@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 
+#include <glm/vec2.hpp>
+
 namespace raks::motion {
 
 class Repertoire;  // motion/repertoire.hpp
@@ -21,8 +23,9 @@ struct DancerPart {
     /// In a couple: the other's dances. Both then keep to one metre, the mean of theirs; otherwise
     /// one of them would change octave before the other does. Null: alone.
     std::shared_ptr<const Repertoire> partner{};
-    double aside = 0.0;  ///< to the left of the stage's centre; metres
-    int bars_late = 0;   ///< starts this many bars after it could
+    /// From the stage's middle: x to the left, y toward the audience; metres.
+    glm::dvec2 place{0.0, 0.0};
+    int bars_late = 0;  ///< starts this many bars after it could
 };
 
 }  // namespace raks::motion

@@ -70,6 +70,9 @@ class ClipWriter {
         if (!animation.name.empty()) {
             json["name"] = animation.name;
         }
+        if (!animation.sound.empty()) {
+            json["extras"] = {{"sound", animation.sound}};
+        }
         json["channels"] = std::move(channels);
         json["samplers"] = std::move(samplers);
         return json;

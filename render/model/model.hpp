@@ -85,6 +85,7 @@ struct AnimationChannel {
 
 struct ModelAnimation {
     std::string name;
+    std::string sound;  ///< file of what it is danced to, for people; written, and not read
     std::vector<AnimationChannel> channels;
 };
 

@@ -1,5 +1,6 @@
 #include "render/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace raks::render {
@@ -45,6 +46,12 @@ BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept {
         beat -= 1.0;
     }
     return rings;
+}
+
+float floor_size_for(float reach) noexcept {
+    constexpr float kUsualReach = 1.4F;  // metres: of three side by side
+    constexpr float kByMetre = 0.3F;
+    return 1.0F + kByMetre * std::max(reach - kUsualReach, 0.0F);
 }
 
 }  // namespace raks::render

@@ -31,6 +31,9 @@ enum class BeatAccent { beat, downbeat };
 /// The ring of one beat, `age` >= 0 seconds after it; brightness 0 once it has faded.
 [[nodiscard]] BeatRing beat_ring(float age, BeatAccent accent) noexcept;
 
+/// Size of a floor on which the farthest place of a dancer is `reach` metres from its middle. Pure.
+[[nodiscard]] float floor_size_for(float reach) noexcept;
+
 /// What stands for the dancer: the skinned avatar or the stick figure.
 enum class View { skin, stick };
 
@@ -71,6 +74,8 @@ struct Scene {
     BeatRings rings{};
     /// Stage or transparent.
     Backdrop backdrop = Backdrop::stage;
+    /// Of the floor and its pool of light, >= 1; 1: for one to three dancers (floor_size_for).
+    float floor_size = 1.0F;
     /// Stream time, seconds: textures that move are where they are then.
     double seconds = 0.0;
 };

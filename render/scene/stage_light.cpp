@@ -75,11 +75,14 @@ std::array<ShadowBlob, kShadowBlobs> shadow_blobs(const motion::WorldPose& world
 
 glm::mat4 light_clip_from_world(glm::vec3 hips, float spread, glm::vec3 key) noexcept {
     const float half_side = 1.25F + spread;
-    constexpr float kDepth = 3.0F;  // in front of and behind the middle
+    // In front of and behind the middle: of up to three dancers, and of more.
+    constexpr float kDepth = 3.0F;
+    constexpr float kUsualSpread = 1.8F;
+    const float depth = kDepth + std::max(spread - kUsualSpread, 0.0F);
     // A fixed height, about the middle of a standing body.
     const glm::vec3 middle{hips.x, 0.85F, hips.z};
-    const glm::mat4 view = glm::lookAt(middle + kDepth * key, middle, glm::vec3(0.0F, 1.0F, 0.0F));
-    return glm::ortho(-half_side, half_side, -half_side, half_side, 0.0F, 2.0F * kDepth) * view;
+    const glm::mat4 view = glm::lookAt(middle + depth * key, middle, glm::vec3(0.0F, 1.0F, 0.0F));
+    return glm::ortho(-half_side, half_side, -half_side, half_side, 0.0F, 2.0F * depth) * view;
 }
 
 }  // namespace raks::render

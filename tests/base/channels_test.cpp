@@ -47,6 +47,16 @@ TEST(LatestValue, reads_a_default_first_and_then_the_newest) {
     EXPECT_FALSE(is_new);
 }
 
+TEST(LatestValue, a_part_that_is_filled_in_is_read_with_what_the_slot_held) {
+    LatestValue<std::array<int, 2>> channel;
+    channel.write_with([](std::array<int, 2>& slot) { slot[0] = 7; });
+    EXPECT_EQ(channel.read(), (std::array<int, 2>{7, 0}));
+    bool is_new = false;
+    channel.write_with([](std::array<int, 2>& slot) { slot = {8, 9}; });
+    EXPECT_EQ(channel.read(&is_new), (std::array<int, 2>{8, 9}));
+    EXPECT_TRUE(is_new);
+}
+
 TEST(LatestValue, values_are_whole_and_never_go_back) {
     constexpr std::uint64_t kWrites = 100'000;
     auto value = std::make_unique<LatestValue<Payload>>();

@@ -331,6 +331,57 @@ TEST_F(Avatar, a_character_dances_in_films_and_its_maker_is_named) {
     EXPECT_NE(read_file(path("with.mp4")).value(), read_file(path("without.mp4")).value());
 }
 
+TEST_F(Avatar, several_are_worn_in_turn_by_as_many_dancers) {
+    write_clicks("song.wav");
+    give("Godette_vrm_v4.vrm", "Godette.vrm");
+    const auto film_with = [&](const std::string& name, const std::vector<std::string>& words) {
+        std::vector<std::string> film = {"render",
+                                         path("song.wav"),
+                                         "--duration",
+                                         "0.2",
+                                         "--size",
+                                         "160x96",
+                                         "--quality",
+                                         "fast",
+                                         "--as-live",
+                                         "--dance",
+                                         "salsa",
+                                         "--camera",
+                                         "front",
+                                         "-o",
+                                         path(name)};
+        film.insert(film.end(), words.begin(), words.end());
+        const auto result = run(film);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_file(path(name) + "/0001.png").value_or("");
+    };
+    const auto alike = film_with("alike", {"--dancers", "2"});
+    const auto mixed = film_with("mixed", {"--avatar", "mannequin", "--avatar", "Godette"});
+    const auto turned = film_with("turned", {"--avatar", "Godette", "--avatar", "mannequin"});
+    ASSERT_FALSE(alike.empty() || mixed.empty() || turned.empty());
+    EXPECT_NE(alike, mixed);
+    EXPECT_NE(mixed, turned);
+    EXPECT_EQ(alike, film_with("same", {"--avatar", "mannequin", "--dancers", "2"}));
+}
+
+TEST_F(Avatar, one_of_several_that_cannot_be_read_is_told_in_one_line) {
+    write_clicks("song.wav");
+    give("Godette_vrm_v4.vrm", "Godette.vrm");
+    ASSERT_TRUE(write_file(path("bad.glb"), "glTF"));
+    const std::vector<std::string> film = {
+        "render", path("song.wav"), "-o", path("x.mp4"), "--avatar", "Godette", "--avatar"};
+    auto broken = film;
+    broken.push_back(path("bad.glb"));
+    expect_one_line(broken, 1, "bad.glb: cut within its head");
+    auto labelled = film;
+    labelled.insert(labelled.end(), {"mannequin", "--labels", path("x.toml")});
+    expect_one_line(labelled, 1, "--labels says which nodes are the bones of one avatar");
+    EXPECT_FALSE(fs::exists(path("x.mp4")));
+    expect_one_line({"render", "-o", path("x.mp4"), "--dancers", "33"},
+                    2,
+                    "dance.dancers is 33, must be 0 to 32");
+}
+
 TEST_F(Avatar, who_cannot_dance_is_told_in_one_line) {
     const std::vector<std::string> sheet = {
         "sheet", "--dance", "waltz", "-o", path("x.png"), "--avatar"};

@@ -1,4 +1,4 @@
-layout(location = 0) in vec2 place;  // x, z in metres
+layout(location = 0) in vec2 place_of_one;  // x, z in metres, of a floor of size 1
 
 #ifdef FAST
 out vec4 shade;
@@ -7,11 +7,12 @@ out vec3 world;
 #endif
 
 void main() {
+    vec2 place = counts.z * place_of_one;
     vec4 clip = clip_from_world * vec4(place.x, 0.0, place.y, 1.0);
     gl_Position = clip;
 #ifdef FAST
     float radius = length(place);
-    float fade = smoothstep(kFadeStart, kFadeEnd, radius);
+    float fade = floor_fade(radius);
     float lit = blob_shadow(place);
     // Behind the camera there is no place in the picture; the clipper never shows that end.
     vec3 behind = backdrop(backdrop_place(clip.xy / max(clip.w, 0.1)));

@@ -27,13 +27,14 @@ layout(std140) uniform Frame {
     vec4 picture;             // x, y, width, height in pixels
     vec4 tone;                // exposure; 1 on the stage, 0 on a transparent backdrop; phase of the
                               // dither; pixels of 0.04 m at 1 m distance
-    vec4 counts;              // of the blobs; 1: light is shown as it is, without the tone curve
+    vec4 counts;              // of the blobs; 1: light is shown as it is, without the tone curve;
+                              // size of the floor, 1 for few dancers
 };
 
 // Soft shadows of all dancers.
 layout(std140) uniform Blobs { vec4 blobs[1012]; };  // x, z, 1 / radius^2, strength
 
-const float kFadeStart = 1.6;  // metres from the middle of the floor: there it begins to fade
+const float kFadeStart = 1.6;  // metres from the middle of a floor of size 1: it begins to fade
 const float kFadeEnd = 4.6;    // and here it is the backdrop
 
 // Narkowicz 2015, "ACES filmic tone mapping curve", after exposure.
@@ -84,14 +85,18 @@ float mirror_share(vec3 at) {
 }
 
 // Whether the floor shows an image of a point: not of what sinks into it, and only where the line
-// of sight meets the disc.
+// of sight meets the disc, whose edge is of straight pieces.
 bool floor_mirrors(vec3 at) {
     vec2 meets = mix(eye.xz, at.xz, eye.y / (eye.y + max(at.y, 0.0)));
-    return at.y >= 0.0 && length(meets) < kFadeEnd;
+    return at.y >= 0.0 && length(meets) < 0.99 * kFadeEnd * counts.z;
 }
 
+// How far the floor has become the backdrop, [0, 1].
+float floor_fade(float radius) { return smoothstep(kFadeStart, kFadeEnd, radius / counts.z); }
+
 // Floor as shown, before rings; `lit` is 1 without shadow.
-vec3 floor_colour(float radius, float lit) {
+vec3 floor_colour(float from_middle, float lit) {
+    float radius = from_middle / counts.z;
     float pool = exp(-0.22 * radius * radius);
     vec3 albedo = mix(floor_edge.rgb, floor_centre.rgb, pool);
     vec3 light = floor_key_tint.rgb * (lit * mix(0.3, 1.0, pool)) + floor_sky_tint.rgb;

@@ -47,6 +47,9 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
                              Case{"unison", 3},
                              Case{"canon", 3},
                              Case{"free", 3},
+                             Case{"grid", 6},
+                             Case{"ring", 6},
+                             Case{"v", 5},
                              Case{"solo", 1},
                              Case{"couple", 2}}) {
         EXPECT_EQ(formations.ask_for_next(), next.name);
@@ -57,6 +60,20 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
         EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "told once";
     }
     EXPECT_TRUE(formations.wait().empty());
+}
+
+TEST(Formations, of_as_many_dancers_as_are_asked_for_go_round) {
+    Settings settings;
+    settings.dance = "salsa";
+    settings.dancers = 8;
+    auto loaded = Formations::load(settings, installed::dances(), motion::mannequin_skeleton());
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->name(), "grid");
+    EXPECT_EQ(loaded->cast().members.size(), 8U);
+    loaded->ask_for_next();
+    EXPECT_EQ(error_when_there(*loaded), "");
+    EXPECT_EQ(loaded->name(), "ring");
+    EXPECT_EQ(loaded->cast().members.size(), 8U);
 }
 
 TEST(Formations, without_couples_are_there_at_once) {

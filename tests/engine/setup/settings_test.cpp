@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "base/random.hpp"
 
@@ -21,12 +22,16 @@ TEST(Settings, written_settings_read_back_the_same) {
     settings.latency_offset_ms = -12.5;
     settings.seed = 42;
     settings.overlay = false;
+    settings.dancers = 12;
+    settings.avatars = {"anna.vrm", "mannequin"};
     Settings back;
     const auto read = parse_settings(to_toml(settings), "x", back);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(to_toml(back), to_toml(settings));
     EXPECT_EQ(back.device, settings.device);
     EXPECT_EQ(back.seed, 42);
+    EXPECT_EQ(back.dancers, 12);
+    EXPECT_EQ(back.avatars, settings.avatars);
 }
 
 TEST(Settings, a_file_changes_only_what_it_names) {
@@ -35,6 +40,24 @@ TEST(Settings, a_file_changes_only_what_it_names) {
     ASSERT_TRUE(parse_settings("[picture]\nfps = 60\n", "x", settings));
     EXPECT_EQ(settings.fps, 60.0);
     EXPECT_EQ(settings.volume, 0.5);
+}
+
+TEST(Settings, an_avatar_is_a_text_and_several_are_a_list) {
+    Settings settings;
+    ASSERT_TRUE(parse_settings("[picture]\navatar = \"a.vrm\"\n", "x", settings));
+    EXPECT_EQ(settings.avatars, std::vector<std::string>({"a.vrm"}));
+    ASSERT_TRUE(parse_settings("[picture]\navatar = [\"a.vrm\", \"b.glb\"]\n", "x", settings));
+    EXPECT_EQ(settings.avatars, std::vector<std::string>({"a.vrm", "b.glb"}));
+    for (const char* value : {"[]", "1", "[\"a.vrm\", 1]", "[[\"a.vrm\"]]"}) {
+        EXPECT_EQ(error_of(std::string("[picture]\navatar = ") + value + "\n"),
+                  "config.toml: line 2: picture.avatar must be a text, or a list of texts");
+    }
+    std::string many = "\"a\"";
+    for (std::size_t i = 0; i < kMostAvatars; ++i) {
+        many += ", \"a\"";
+    }
+    EXPECT_EQ(error_of("[picture]\navatar = [" + many + "]\n"),
+              "config.toml: picture.avatar names 33 avatars, at most 32");
 }
 
 TEST(Settings, errors_name_file_line_key_and_what_is_meant) {

@@ -22,14 +22,15 @@ namespace {
 
 constexpr double kBpm = 171.0;
 
-std::vector<EnsembleMember> salsa(Formation formation) {
+std::vector<EnsembleMember> salsa(Formation formation, std::size_t dancers = 0) {
     if (formation == Formation::couple) {
         return members_of(formation,
                           Repertoire::of_one(test::couple_library(DanceRole::lead)),
                           Repertoire::of_one(test::couple_library(DanceRole::follow)),
                           3);
     }
-    return members_of(formation, Repertoire::of_one(test::salsa_library()), nullptr, 3);
+    return members_of(
+        formation, Repertoire::of_one(test::salsa_library()), nullptr, 3, Dynamics::on, dancers);
 }
 
 using Tracks = std::array<PoseTrack, Ensemble::kMost>;
@@ -140,11 +141,35 @@ TEST(Ensemble, free_dancers_dance_other_figures) {
     EXPECT_LT(alike_share(poses[0], poses[1], 0), 0.9);
 }
 
+TEST(Ensemble, a_crowd_keeps_apart_while_it_dances) {
+    constexpr std::size_t kCrowd = 12;
+    for (const Formation formation : {Formation::free, Formation::grid}) {
+        Ensemble ensemble;
+        ASSERT_TRUE(ensemble.prepare(salsa(formation, kCrowd), mannequin_skeleton()));
+        ASSERT_EQ(ensemble.size(), kCrowd);
+        ASSERT_EQ(ensemble.places().size(), kCrowd);
+        std::vector<PoseTrack> tracks(kCrowd);
+        float closest = 10.0F;
+        for (HopIndex hop = 0; hop < 900; ++hop) {
+            ensemble.advance(test::sure_state(hop, test::steady_grid(kBpm)), tracks);
+            for (std::size_t i = 0; i < kCrowd; ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    closest = std::min(closest,
+                                       glm::distance(tracks[i].at_hop(hop).hips_position,
+                                                     tracks[j].at_hop(hop).hips_position));
+                }
+            }
+        }
+        EXPECT_GT(closest, 0.9F) << kFormationNames[static_cast<std::size_t>(formation)];
+    }
+}
+
 TEST(Ensemble, refuses_nobody_too_many_and_half_a_couple) {
     Ensemble ensemble;
     EXPECT_FALSE(ensemble.prepare({}, mannequin_skeleton()));
     const EnsembleMember one = salsa(Formation::solo).front();
-    EXPECT_FALSE(ensemble.prepare(std::vector<EnsembleMember>(5, one), mannequin_skeleton()));
+    EXPECT_FALSE(ensemble.prepare(std::vector<EnsembleMember>(Ensemble::kMost + 1, one),
+                                  mannequin_skeleton()));
     EXPECT_FALSE(ensemble.prepare(members_of(Formation::couple, one.repertoire, nullptr, 1),
                                   mannequin_skeleton()));
 }

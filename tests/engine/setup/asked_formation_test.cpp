@@ -1,0 +1,58 @@
+#include "engine/setup/asked_formation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace raks::engine {
+namespace {
+
+using motion::Formation;
+
+Settings settings_of(const std::string& formation, std::int64_t dancers, std::size_t avatars) {
+    Settings settings;
+    settings.formation = formation;
+    settings.dancers = dancers;
+    settings.avatars.assign(avatars, "mannequin");
+    return settings;
+}
+
+TEST(AskedFormation, is_the_one_that_is_named_and_a_grid_of_several_without_a_name) {
+    const struct {
+        const char* formation;
+        std::int64_t dancers;
+        std::size_t avatars;
+        Formation is;
+        std::size_t has;
+    } cases[] = {
+        {"solo", 0, 1, Formation::solo, 1},
+        {"solo", 1, 3, Formation::solo, 1},
+        {"solo", 12, 1, Formation::grid, 12},
+        {"solo", 0, 2, Formation::grid, 2},
+        {"solo", 5, 2, Formation::grid, 5},
+        {"couple", 0, 1, Formation::couple, 2},
+        {"couple", 12, 3, Formation::couple, 2},
+        {"unison", 0, 1, Formation::unison, 3},
+        {"unison", 0, 2, Formation::unison, 3},
+        {"unison", 0, 5, Formation::unison, 5},
+        {"v", 32, 1, Formation::v, 32},
+        {"ring", 2, 5, Formation::ring, 2},
+    };
+    for (const auto& c : cases) {
+        const Settings settings = settings_of(c.formation, c.dancers, c.avatars);
+        const auto formation = asked_formation(settings);
+        ASSERT_TRUE(formation) << formation.error().message;
+        EXPECT_EQ(name_of(*formation), name_of(c.is)) << c.formation << " of " << c.dancers;
+        EXPECT_EQ(asked_dancers(settings, *formation), c.has) << c.formation << " of " << c.dancers;
+    }
+}
+
+TEST(AskedFormation, that_is_unknown_is_told_with_the_nearest) {
+    const auto formation = asked_formation(settings_of("rings", 0, 1));
+    ASSERT_FALSE(formation);
+    EXPECT_NE(formation.error().message.find("did you mean \"ring\"?"), std::string::npos)
+        << formation.error().message;
+}
+
+}  // namespace
+}  // namespace raks::engine
