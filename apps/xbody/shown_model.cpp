@@ -37,6 +37,36 @@ std::vector<glm::vec3> corners_of(const glm::vec3& low, const glm::vec3& high) {
     return corners;
 }
 
+// Adds the places of what the bones of a figure move, or of all joints of a thing but those that
+// are farther from it than it is large: what carries nothing may be anywhere. `points`: a body's
+// box.
+void add_joints(const ShownModel& model,
+                const ShownPose& shown,
+                float largest,
+                std::vector<glm::vec3>& points) {
+    const render::JointTree& tree = model.avatar->rig->tree;
+    const auto place = [&](int joint) {
+        return glm::vec3(shown.state.joints.world[static_cast<std::size_t>(joint)][3]);
+    };
+    const render::HumanoidMap& humanoid = model.figure.model.character.humanoid;
+    if (render::missing_bones(humanoid).empty()) {
+        for (const int node : humanoid.nodes) {
+            const int joint = node < 0 ? -1 : tree.joint_of(node);
+            if (joint >= 0) {
+                points.push_back(place(joint));
+            }
+        }
+        return;
+    }
+    const glm::vec3 middle =
+        points.empty() ? glm::vec3(0.0F) : 0.5F * (points.front() + points.back());
+    for (std::size_t i = 0; i < shown.state.joints.world.size(); ++i) {
+        if (glm::distance(middle, place(static_cast<int>(i))) <= largest) {
+            points.push_back(place(static_cast<int>(i)));
+        }
+    }
+}
+
 Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
     const fs::path found = engine::find_labels(plan.file, plan.options.labels);
     if (found.empty()) {
@@ -221,25 +251,17 @@ std::vector<glm::vec3> reached_places(const ShownModel& model, const ShownPose& 
     std::vector<glm::vec3> points;
     float largest = std::numeric_limits<float>::infinity();
     if (const auto box = render::rest_box(model.figure.model)) {
-        // Where the body is now, as large as at rest.
+        // Where the body is now, as large as at rest, with its soles on the floor.
         const float scale = model.figure.options.scale;
         const float turned = model.figure.model.character.faces_minus_z ? -1.0F : 1.0F;
         const glm::vec3 size(turned * scale, scale, turned * scale);
-        const glm::vec3 moved = shown.pose.hips_position - model.avatar->skeleton.offsets[0];
+        const glm::vec3 moved = shown.pose.hips_position - model.avatar->skeleton.offsets[0] -
+                                glm::vec3(0.0F, model.avatar->soles, 0.0F);
         const auto corners = corners_of(box->low * size + moved, box->high * size + moved);
         points.insert(points.end(), corners.begin(), corners.end());
         largest = glm::distance(corners.front(), corners.back());
     }
-    // Joints that carry nothing may be anywhere: those that are farther than it is large are not
-    // looked at.
-    const glm::vec3 middle =
-        points.empty() ? glm::vec3(0.0F) : 0.5F * (points.front() + points.back());
-    for (const glm::mat4& joint : shown.state.joints.world) {
-        const glm::vec3 place(joint[3]);
-        if (glm::distance(middle, place) <= largest) {
-            points.push_back(place);
-        }
-    }
+    add_joints(model, shown, largest, points);
     return points;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/import/bind_places.hpp"
 #include "render/import/humanoid_map.hpp"
@@ -179,9 +180,16 @@ float height_of(const Model& model,
     const MeshBox box = mesh_box(model, world);
     float height = box.highest.y - box.lowest.y;
     if (!(height > 0.0F)) {
-        const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
-        const auto ends = std::minmax_element(places.begin(), places.end(), lower);
-        height = places.empty() ? 0.0F : ends.second->y - ends.first->y;
+        // What else there is, controls say, may be anywhere.
+        float low = std::numeric_limits<float>::max();
+        float high = std::numeric_limits<float>::lowest();
+        for (const int node : model.character.humanoid.nodes) {
+            if (node >= 0) {
+                low = std::min(low, places[static_cast<std::size_t>(node)].y);
+                high = std::max(high, places[static_cast<std::size_t>(node)].y);
+            }
+        }
+        height = high - low;
     }
     return height > 0.0F && std::isfinite(height) ? height : 1.0F;
 }
