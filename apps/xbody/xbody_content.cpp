@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -112,6 +113,7 @@ void XbodyContent::load_thumbnail() {
 
 void XbodyContent::draw(const render::PaneFrame& frame) {
     take_dropped();
+    take_dance();
     box_ = xbody_layout(frame.area).view;
     unit_ = frame.pen.unit();
     if (!first_view_.empty()) {
@@ -136,7 +138,7 @@ bool XbodyContent::is_moving() {
     const HostTime now = HostClock::now();
     session_.transport.advance(to_seconds(now - std::exchange(advanced_, now)));
     const bool plays = !session_.transport.is_paused() && stage_.model().frame_count() > 1;
-    return plays || film_ || !dropped_.empty();
+    return plays || film_ || awaits_dance_ || !dropped_.empty();
 }
 
 bool XbodyContent::may_close() {
@@ -202,9 +204,9 @@ void XbodyContent::take_dropped() {
     if (render::is_model_name(path)) {
         take_model(path.string());
     } else if (is_music_name(path)) {
-        session_.message = "Music is danced to in another window: raks play MUSIC --avatar MODEL";
+        take_music(path.string());
     } else {
-        take_motion(path.string());
+        take_motion(path.string(), path.filename().string());
     }
 }
 
@@ -216,7 +218,7 @@ void XbodyContent::take_model(const std::string& path) {
         return;
     }
     if (model->as_read.meshes.empty() && !model->as_read.animations.empty()) {
-        return take_motion(path);
+        return take_motion(path, fs::path(path).filename().string());
     }
     if (!may_close()) {
         session_.message = "Labels are not saved: S saves, drop it once more to go on without";
@@ -239,11 +241,14 @@ void XbodyContent::take_model(const std::string& path) {
     begin_session();
     fulfil(FitView{"front"});
     if (session_.message.empty()) {
-        session_.message = "This is " + printable(fs::path(path).filename().string());
+        const bool is_whole = stage_.model().notes.empty();
+        session_.message = fmt::format("This is {}{}",
+                                       printable(fs::path(path).filename().string()),
+                                       is_whole ? "" : "; what was mended or left out is on File");
     }
 }
 
-void XbodyContent::take_motion(const std::string& path) {
+void XbodyContent::take_motion(const std::string& path, const std::string& name) {
     const auto taken = stage_.take_motion(path);
     if (!taken) {
         session_.message = taken.error().message;
@@ -251,7 +256,35 @@ void XbodyContent::take_motion(const std::string& path) {
     }
     film_.reset();
     session_.transport = transport_of(stage_.model(), 0);
-    session_.message = "It is moved by " + printable(fs::path(path).filename().string());
+    session_.message = "It is moved by " + printable(name);
+}
+
+void XbodyContent::take_music(const std::string& path) {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    auto dance = MadeDance::begin(program, path);
+    if (!dance) {
+        session_.message = dance.error().message;
+        return;
+    }
+    dance_ = std::move(*dance);
+    awaits_dance_ = true;
+    music_ = fs::path(path).filename().string();
+    session_.message = "Making a dance to " + printable(music_);
+}
+
+// What was made stays as long as it is the motion: other labels read it anew.
+void XbodyContent::take_dance() {
+    if (!awaits_dance_) {
+        return;
+    }
+    const auto made = dance_->take();
+    awaits_dance_ = made && !*made;
+    if (!made) {
+        session_.message = made.error().message;
+    } else if (*made) {
+        take_motion((*made)->string(), "a dance to " + music_);
+    }
 }
 
 void XbodyContent::fulfil(const XbodyAction& action) {

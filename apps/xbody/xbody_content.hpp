@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/xbody/made_dance.hpp"
 #include "apps/xbody/window_film.hpp"
 #include "apps/xbody/xbody_pane.hpp"
 #include "apps/xbody/xbody_session.hpp"
@@ -38,7 +39,9 @@ class XbodyContent : public render::PaneContent {
     void add_to_film();
     void take_dropped();
     void take_model(const std::string& path);
-    void take_motion(const std::string& path);
+    void take_motion(const std::string& path, const std::string& name);
+    void take_music(const std::string& path);
+    void take_dance();
 
     void fulfil(const XbodyAction& action);
     void fulfil(const FitView& wish);
@@ -56,10 +59,13 @@ class XbodyContent : public render::PaneContent {
     XbodyView view_;
     std::optional<render::PanePicture> thumbnail_;
     std::optional<WindowFilm> film_;
-    std::string dropped_;     // path that is taken in the next frame, once it is said
-    std::string first_view_;  // until the window's form is known
-    render::Box box_;         // of the model; units
-    float unit_ = 1.0F;       // pixels
+    std::optional<MadeDance> dance_;  // to music that was dropped
+    std::string music_;               // its name
+    bool awaits_dance_ = false;       // it is not done
+    std::string dropped_;             // path that is taken in the next frame, once it is said
+    std::string first_view_;          // until the window's form is known
+    render::Box box_;                 // of the model; units
+    float unit_ = 1.0F;               // pixels
     HostTime advanced_ = HostClock::now();
     bool is_warned_ = false;  // that labels are not saved
     bool is_finished_ = false;

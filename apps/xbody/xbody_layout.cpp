@@ -71,7 +71,7 @@ XbodyLayout xbody_layout(const Box& area) {
     layout.view = {middle, view, width, bottom - view};
 
     layout.steps = row_of({kMargin, transport, kLeft, kButton}, 5);
-    layout.number = {middle, transport, 110.0F, kButton};
+    layout.number = {middle, transport, 156.0F, kButton};
     layout.slower = {layout.number.right() + kMargin, transport, 26.0F, kButton};
     layout.rate = {layout.slower.right(), transport, 54.0F, kButton};
     layout.faster = {layout.rate.right(), transport, 26.0F, kButton};
