@@ -20,7 +20,7 @@ struct Camera {
     static constexpr float kMinPitch = 0.0524F;   ///< 3 degrees: below it the floor is a line
     static constexpr float kMaxPitch = 1.4835F;   ///< 85 degrees: above it "up" has no meaning
     static constexpr float kMinDistance = 0.6F;   ///< a portrait of the head
-    static constexpr float kMaxDistance = 30.0F;  ///< the whole floor of a crowd, small
+    static constexpr float kMaxDistance = 38.0F;  ///< the whole floor of a crowd, small
     static constexpr float kMaxPan = 3.0F;        ///< of the target, from the middle of the floor
     /// Of the target, from the floor.
     static constexpr float kMaxTargetHeight = 2.2F;

@@ -353,7 +353,7 @@ TEST_F(Avatar, several_are_worn_in_turn_by_as_many_dancers) {
         film.insert(film.end(), words.begin(), words.end());
         const auto result = run(film);
         EXPECT_EQ(result.exit_code, 0) << result.err;
-        return read_file(path(name) + "/0001.png").value_or("");
+        return read_file(path(name) + "/000001.png").value_or("");
     };
     const auto alike = film_with("alike", {"--dancers", "2"});
     const auto mixed = film_with("mixed", {"--avatar", "mannequin", "--avatar", "Godette"});

@@ -2,6 +2,8 @@
 #include "engine/show/framing.hpp"
 #include "engine/show/picture.hpp"
 
+#include "motion/formation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,6 +59,30 @@ TEST(Framing, begins_at_the_middle_of_the_dancers_with_all_of_them_in_the_pictur
                 EXPECT_NEAR(left, -last, 0.1F) << name << " " << aspect;
                 EXPECT_EQ(camera.yaw, preset.yaw);
                 EXPECT_EQ(camera.target.y, preset.target.y);
+            }
+        }
+    }
+}
+
+TEST(Framing, shows_a_crowd_in_every_formation_and_form_of_picture) {
+    for (const motion::Formation formation : {motion::Formation::unison,
+                                              motion::Formation::free,
+                                              motion::Formation::grid,
+                                              motion::Formation::ring,
+                                              motion::Formation::v}) {
+        for (const std::size_t dancers : {std::size_t{12}, motion::kMostDancers}) {
+            std::vector<glm::vec3> places;
+            for (const glm::dvec2& place : motion::places_in(formation, dancers)) {
+                places.emplace_back(place.x, 0.95F, place.y);
+            }
+            const auto poses = dancers_at(places);
+            // A tall picture of 32 would show them smaller than anybody can see.
+            for (const float aspect : {16.0F / 9.0F, 1.0F}) {
+                Framing framing(render::find_camera("wide").value(), aspect);
+                const render::Camera camera = framing.follow(poses, 0.0);
+                for (const motion::Pose& pose : poses) {
+                    expect_seen(camera, pose, aspect);
+                }
             }
         }
     }
