@@ -103,7 +103,7 @@ void put_dance(render::Model& model,
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i] = static_cast<float>(static_cast<double>(i) / rate);
     }
-    render::ModelAnimation clip{.name = name, .sound = sound, .channels = {}};
+    render::ModelAnimation clip{.name = name, .channels = {}, .sound = sound};
     for (std::size_t joint = 0; joint < keys.size(); ++joint) {
         const int node = avatar.rig->tree.nodes[joint];
         const render::ModelNode& rest = model.nodes[static_cast<std::size_t>(node)];

@@ -85,8 +85,8 @@ struct AnimationChannel {
 
 struct ModelAnimation {
     std::string name;
-    std::string sound;  ///< file of what it is danced to, for people; written, and not read
     std::vector<AnimationChannel> channels;
+    std::string sound = {};  ///< file of what it is danced to, for people; written, and not read
 };
 
 /// VRMC_vrm_animation: nodes that stand for what is no node.

@@ -122,6 +122,7 @@ TEST(PictureLeads, say_by_how_much_an_assumed_latency_is_wrong) {
                             clock,
                             true,
                             1.0,
+                            0,
                             motion::Pose{}});
     }
     const double truth_ms = 1e3 * 256.0 / 48'000.0 - 2.0;
