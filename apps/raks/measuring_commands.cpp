@@ -68,7 +68,7 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
 void add_avatar_export(RaksCommands& table, CLI::App& avatar) {
     auto [app, a] =
         table.add(avatar, "export", "write a model as VRM 1.0, GLB, 3DS or OBJ", avatar_export);
-    app->add_option("output", a->output, "X.vrm, X.glb or X.obj")->required();
+    app->add_option("output", a->output, "X.vrm, X.glb, X.3ds or X.obj")->required();
     app->add_option(
         "--from", a->model, "file, or name of one of `raks avatar list`; else the mannequin");
     app->add_option("--labels", a->options.labels, "file that says which nodes are its bones");

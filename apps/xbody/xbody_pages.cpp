@@ -100,7 +100,9 @@ class PagesPane {
                          : "";
         const render::PaneRow row{.name = motion::kBoneNames[index],
                                   .note = note,
-                                  .swatch = is_missing ? palette::kRed : palette::kAmber,
+                                  .swatch = is_missing  ? palette::kRed
+                                            : node >= 0 ? palette::kAmber
+                                                        : palette::kDim,
                                   .text = is_missing  ? palette::kRed
                                           : node >= 0 ? palette::kText
                                                       : palette::kDim,

@@ -120,7 +120,9 @@ std::optional<std::size_t> timeline(const PaneFrame& frame,
     draw_curve(frame, parts.curve, state);
     draw_marks(frame, parts.marks, state);
     draw_names(frame, box, parts, state);
-    const float x = timeline_x(parts.curve, state.frame, state.frame_count);
+    // Of one frame alone there is no place to show.
+    const float x = state.frame_count > 1 ? timeline_x(parts.curve, state.frame, state.frame_count)
+                                          : timeline_frames(box).x;
     pen.fill({x - 0.75F, box.y, 1.5F, box.height}, palette::kText);
     pen.triangle({x - 5.0F, box.y}, {x + 5.0F, box.y}, {x, box.y + 6.0F}, palette::kText);
 
