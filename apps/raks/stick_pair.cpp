@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -131,17 +132,30 @@ void face_us(motion::WorldPoints& one, motion::WorldPoints& other) {
     }
 }
 
+// What tells two files apart: their folders too where their own names do not.
+std::pair<std::string, std::string> names_of(const StickArguments& arguments) {
+    const std::filesystem::path& one = arguments.input;
+    const std::filesystem::path& other = arguments.other;
+    if (one.filename() != other.filename()) {
+        return {one.filename().string(), other.filename().string()};
+    }
+    const auto with_folder = [](const std::filesystem::path& file) {
+        return (file.parent_path().filename() / file.filename()).string();
+    };
+    return {with_folder(one), with_folder(other)};
+}
+
 Expected<void> show_pair(const StickArguments& arguments,
                          motion::WorldPoints one,
                          motion::WorldPoints other,
                          const motion::PointComparison& comparison) {
+    const auto [name, other_name] = names_of(arguments);
     const ShownClip shown{
-        arguments.input.filename().string() + " and " + arguments.other.filename().string(),
+        name + " and " + other_name,
         one.clip.frame_count,
         one.clip.frames_per_second,
         highlight_of(comparison),
-        {{arguments.input.filename().string(), render::StickPart::left},
-         {arguments.other.filename().string(), render::StickPart::right}}};
+        {{name, render::StickPart::left}, {other_name, render::StickPart::right}}};
     face_us(one, other);
     std::vector<motion::WorldPoints> motions;
     motions.push_back(std::move(one));

@@ -301,7 +301,7 @@ TEST_F(Keys, e_goes_through_the_formations) {
     press({"e"});
     ASSERT_TRUE(raks_->wait_for_output("dancing: unison"));
     EXPECT_TRUE(shows([](const std::string& now) { return points_on_the_left(now) > 200; }));
-    press({"e", "e", "e"});
+    press({"e", "e", "e", "e", "e", "e"});  // canon, free, grid, ring, v
     ASSERT_TRUE(raks_->wait_for_output("dancing: solo"));
     EXPECT_TRUE(shows([](const std::string& now) { return points_on_the_left(now) < 20; }));
 }
