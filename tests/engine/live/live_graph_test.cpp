@@ -74,7 +74,7 @@ TEST_F(GraphOnItsOwnClock, other_dancers_take_over_while_it_plays) {
     EXPECT_GE(stage.tracks[2].oldest_final(), 20);
     const auto refused = graph_->replace_dancers(Cast{});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "an ensemble has 1 to 4 dancers");
+    EXPECT_EQ(refused.error().message, "an ensemble has 1 to 32 dancers");
 }
 
 TEST_F(GraphOnItsOwnClock, the_latency_offset_shifts_what_is_shown_at_once) {
