@@ -1,13 +1,18 @@
 #include "apps/raks/commands.hpp"
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <span>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
@@ -94,6 +99,35 @@ Expected<void> write_figure(const Path& path,
     return bytes ? write_file(path, *bytes) : fail(bytes.error());
 }
 
+// Lays a copy of the music beside the figures, which name it. A file of that name stays as it is.
+Expected<void> lay_music_beside(const Path& output, const Path& music) {
+    Path beside = output;
+    beside.replace_filename(music.filename());
+    std::error_code ignored;
+    if (is_there(beside)) {
+        if (!std::filesystem::equivalent(beside, music, ignored)) {
+            say(beside.string() + ": lies there already and stays as it is");
+        }
+        return {};
+    }
+    std::ifstream from(music, std::ios::binary);
+    auto copy = PendingFile::create(beside);
+    if (!copy) {
+        return fail(copy.error());
+    }
+    std::vector<char> block(std::size_t{1} << 20U);
+    while (from.read(block.data(), static_cast<std::streamsize>(block.size())), from.gcount() > 0) {
+        const std::string_view bytes(block.data(), static_cast<std::size_t>(from.gcount()));
+        if (auto written = copy->write(bytes); !written) {
+            return written;
+        }
+    }
+    if (!from.eof()) {
+        return fail(music.string() + ": cannot be read to its end; it is not copied");
+    }
+    return copy->commit();
+}
+
 }  // namespace
 
 ExitCode dance(const DanceArguments& given) {
@@ -162,6 +196,11 @@ ExitCode dance(const DanceArguments& given) {
                       path, (*figures)[i % figures->size()], collect.dancers[i], arguments);
         if (!written) {
             return fail(written.error());
+        }
+    }
+    if (write == nullptr) {
+        if (auto laid = lay_music_beside(arguments.output, arguments.input); !laid) {
+            return fail(laid.error());
         }
     }
     return kExitDone;

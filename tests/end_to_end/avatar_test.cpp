@@ -364,6 +364,21 @@ TEST_F(Avatar, several_are_worn_in_turn_by_as_many_dancers) {
     EXPECT_EQ(alike, film_with("same", {"--avatar", "mannequin", "--dancers", "2"}));
 }
 
+TEST_F(Avatar, the_music_lies_beside_a_figure_that_dances_to_it) {
+    write_clicks("song.wav");
+    fs::create_directory(path("out"));
+    const std::vector<std::string> dance = {"dance", path("song.wav"), "-o", path("out/x.glb")};
+    const auto result = run(dance);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(holds(path("out/x.glb"), "song.wav"));
+    EXPECT_EQ(read_file(path("out/song.wav")).value(), read_file(path("song.wav")).value());
+    ASSERT_TRUE(write_file(path("out/song.wav"), "mine"));
+    const auto again = run(dance);
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_NE(again.err.find("song.wav: lies there already"), std::string::npos) << again.err;
+    EXPECT_EQ(read_file(path("out/song.wav")).value(), "mine");
+}
+
 TEST_F(Avatar, one_of_several_that_cannot_be_read_is_told_in_one_line) {
     write_clicks("song.wav");
     give("Godette_vrm_v4.vrm", "Godette.vrm");
