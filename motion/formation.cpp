@@ -18,8 +18,8 @@ using Places = std::vector<glm::dvec2>;
 Places side_by_side(std::size_t dancers) {
     Places places;
     for (std::size_t i = 0; i < dancers; ++i) {
-        const double steps =
-            dancers % 2 == 1 ? static_cast<double>((i + 1) / 2) : static_cast<double>(i / 2) + 0.5;
+        const std::size_t whole_steps = (i + dancers % 2) / 2;
+        const double steps = static_cast<double>(whole_steps) + (dancers % 2 == 1 ? 0.0 : 0.5);
         const bool is_right = (i + dancers) % 2 == 0;
         places.emplace_back(is_right ? -kApart * steps : kApart * steps, 0.0);
     }
@@ -83,16 +83,19 @@ Places in_wedges(std::size_t dancers) {
     // Along the floor to the next of a wing: as far apart as side by side.
     constexpr double kSlope = 0.5;
     const double aside = kApart / std::hypot(1.0, kSlope);
+    const std::size_t wing = std::min(dancers, kLongestRow) / 2;
+    const std::size_t wedges_behind = (dancers - 1) / kLongestRow;
     const double depth =
-        static_cast<double>((std::min(dancers, kLongestRow)) / 2) * kSlope * aside +
-        static_cast<double>((dancers - 1) / kLongestRow) * kApart;
+        static_cast<double>(wing) * kSlope * aside + static_cast<double>(wedges_behind) * kApart;
     Places places;
     for (std::size_t i = 0; i < dancers; ++i) {
         const std::size_t number = i % kLongestRow;
-        const double steps = static_cast<double>((number + 1) / 2);
+        const std::size_t whole_steps = (number + 1) / 2;
+        const std::size_t wedge = i / kLongestRow;
+        const auto steps = static_cast<double>(whole_steps);
         places.emplace_back(
             (number % 2 == 1 ? -aside : aside) * steps,
-            0.5 * depth - kSlope * aside * steps - kApart * static_cast<double>(i / kLongestRow));
+            0.5 * depth - kSlope * aside * steps - kApart * static_cast<double>(wedge));
     }
     return places;
 }

@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,7 +25,8 @@ Expected<MadeDance> MadeDance::begin(const fs::path& program, const fs::path& mu
     const fs::path temporary = fs::temp_directory_path(error);
     std::string folder = (temporary / "raks-dance-XXXXXX").string();
     if (error || mkdtemp(folder.data()) == nullptr) {
-        return fail("no folder for a dance: " + std::string(std::strerror(errno)));
+        return fail("no folder for a dance: " +
+                    std::error_code(errno, std::system_category()).message());
     }
     MadeDance made;
     made.music_ = music;
