@@ -38,6 +38,7 @@ std::vector<double> even_times(double duration) {
         return {0.0};
     }
     std::vector<double> times;
+    times.reserve(kTimes);
     for (int i = 0; i < kTimes; ++i) {
         times.push_back(duration * i / (kTimes - 1));
     }
@@ -74,6 +75,7 @@ ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
                                           ? even_times(clip->duration())
                                           : film_times(clip->duration(), arguments.settings.fps);
     std::vector<motion::Pose> poses;
+    poses.reserve(times.size());
     for (const double time : times) {
         poses.push_back(clip->pose_at(time));
     }
