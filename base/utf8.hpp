@@ -10,6 +10,10 @@ namespace raks {
 /// Threads: any. Real-time: yes.
 [[nodiscard]] std::size_t utf8_size(std::string_view text) noexcept;
 
+/// Whether all of a text is UTF-8; an empty one is. Threads: any. Real-time: no (as long as the
+/// text).
+[[nodiscard]] bool is_utf8(std::string_view text) noexcept;
+
 /// Whether a byte is one of a UTF-8 character that is not its first: 10xxxxxx.
 [[nodiscard]] constexpr bool is_utf8_continuation(char byte) noexcept {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;

@@ -35,17 +35,6 @@ std::string_view trimmed(std::string_view text) {
                : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t size = utf8_size(text);
-        if (size == 0) {
-            return false;
-        }
-        text.remove_prefix(size);
-    }
-    return true;
-}
-
 // Appends a character as UTF-8.
 void append_utf8(std::string& text, std::uint32_t character) {
     const auto continuation = [&](unsigned shift) {

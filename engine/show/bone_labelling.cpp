@@ -18,17 +18,6 @@ using render::BoneLabel;
 
 bool is_before(const BoneLabel& one, const BoneLabel& other) { return one.bone < other.bone; }
 
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t size = utf8_size(text);
-        if (size == 0) {
-            return false;
-        }
-        text.remove_prefix(size);
-    }
-    return true;
-}
-
 }  // namespace
 
 BoneLabelling bone_labelling(const std::vector<BoneLabel>& labels) {

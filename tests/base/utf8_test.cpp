@@ -56,6 +56,10 @@ TEST(Utf8, what_is_none_has_no_size) {
         EXPECT_EQ(utf8_size(text), 0U) << text;
     }
     EXPECT_EQ(utf8_size("\0"sv), 1U);
+    EXPECT_TRUE(is_utf8(""));
+    EXPECT_TRUE(is_utf8("S\xC3\xA3o"));
+    EXPECT_FALSE(is_utf8("S\xC3"));
+    EXPECT_FALSE(is_utf8("\xE3o"));
 }
 
 }  // namespace
