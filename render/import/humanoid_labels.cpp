@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -51,16 +53,74 @@ BoneLabel read_bone_label(const toml::table& bones,
     return label;
 }
 
+/// The bone that a line of the table gives a node, bare or in quotes; empty: none.
+std::string_view bone_of_line(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t";
+    const std::size_t equals = std::min(line.find('='), line.size());
+    std::string_view key = line.substr(0, equals);
+    key.remove_prefix(std::min(key.find_first_not_of(kBlanks), key.size()));
+    key = key.substr(0, key.find_last_not_of(kBlanks) + 1);
+    const bool is_quoted =
+        key.size() > 1 && (key.front() == '"' || key.front() == '\'') && key.front() == key.back();
+    key = is_quoted ? key.substr(1, key.size() - 2) : key;
+    const auto found = std::find(motion::kBoneNames.begin(), motion::kBoneNames.end(), key);
+    return equals < line.size() && found != motion::kBoneNames.end() ? *found : std::string_view();
+}
+
+/// A label file whose lines of a bone that has one already are empty, with what is to be said.
+struct UniqueLines {
+    std::string text;
+    std::vector<std::string> left_out;
+};
+
+UniqueLines with_first_lines(std::string_view text, const std::string& file) {
+    UniqueLines unique;
+    std::map<std::string_view, std::size_t> lines;  // of the bones, from 1
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view bone = bone_of_line(line);
+        const auto [first, is_new] = lines.try_emplace(bone, number);
+        if (bone.empty() || is_new) {
+            unique.text += line;
+        } else {
+            unique.left_out.push_back(fmt::format("{}: line {}: {} is on line {} already; left out",
+                                                  file,
+                                                  number,
+                                                  bone,
+                                                  first->second));
+        }
+        unique.text += '\n';
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return unique;
+}
+
+/// What a TOML text says; where it is none, since bones stand in it twice, what it says without.
+Expected<toml::table> parse_labels(std::string_view text,
+                                   const std::string& file,
+                                   std::vector<std::string>& left_out) {
+    Expected<toml::table> root = parse_toml(text, file);
+    if (root || text.size() > kLongestToml) {
+        return root;
+    }
+    UniqueLines unique = with_first_lines(text, file);
+    if (unique.left_out.empty()) {
+        return root;
+    }
+    left_out = std::move(unique.left_out);
+    return parse_toml(unique.text, file);
+}
+
 }  // namespace
 
 Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file) {
-    const Expected<toml::table> root = parse_toml(text, file);
+    BoneLabels labels{.file = file, .bones = {}};
+    const Expected<toml::table> root = parse_labels(text, file, labels.left_out);
     if (!root) {
         return fail(root.error());
     }
     TomlComplaints complaints(file);
     read_label_head(*root, complaints);
-    BoneLabels labels{.file = file, .bones = {}};
     const toml::table* const bones = (*root)["bones"].as_table();
     if (bones == nullptr || bones->empty()) {
         complaints.complain("needs a table [bones] with lines like hips = \"Pelvis\"");

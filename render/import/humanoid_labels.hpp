@@ -34,12 +34,14 @@ struct BoneLabel {
 struct BoneLabels {
     std::string file;  ///< its name, for messages
     std::vector<BoneLabel> bones;
+    std::vector<std::string> left_out{};  ///< what of it does not count: one line each
 };
 
-/// Reads a label file. `file`: its name, for messages. Errors, in one line with their place: not
-/// TOML, another format or version, a bone that VRM 1.0 does not know (with the nearest), a bone
-/// that no dance moves (eyes, jaw), a value that is neither a text nor a table of node and axis, an
-/// axis that is none of x, y, z, -x, -y, -z, no bones.
+/// Reads a label file. `file`: its name, for messages. Of a bone that has several lines the first
+/// counts, though TOML itself has no such files; the others are left out. Errors, in one line with
+/// their place: not TOML, another format or version, a bone that VRM 1.0 does not know (with the
+/// nearest), a bone that no dance moves (eyes, jaw), a value that is neither a text nor a table of
+/// node and axis, an axis that is none of x, y, z, -x, -y, -z, no bones.
 [[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
 
 /// "x", "-y"; empty: it is 0.

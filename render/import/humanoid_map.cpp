@@ -54,6 +54,9 @@ HumanoidMap map_by_labels(Model& model, const BoneLabels& labels) {
             is_joint[static_cast<std::size_t>(joint)] = true;
         }
     }
+    for (const std::string& line : labels.left_out) {
+        warn(model, line);
+    }
     HumanoidMap map;
     for (const BoneLabel& label : labels.bones) {
         const std::size_t bone = motion::index_of(label.bone);

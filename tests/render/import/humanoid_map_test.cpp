@@ -185,6 +185,33 @@ TEST(BoneLabels, nodes_that_are_not_there_or_serve_twice_are_said_and_the_rest_i
                       "me.toml: hips: two nodes are named \"Bone.0\"; left out"));
 }
 
+TEST(BoneLabels, of_a_bone_with_several_lines_the_first_counts_and_the_others_are_said) {
+    const std::string head = "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n";
+    const auto labels = read_bone_labels(head +
+                                             "hips = \"Bone.0\"\n"
+                                             "leftHand = \"Bone.8\"\n"
+                                             "  \"hips\" = {node = \"Bone.3\", axis = \"x\"}\n"
+                                             "hips= \"Bone.2\" # again\n"
+                                             "rightHand = \"Bone.14\"",
+                                         "me.toml");
+    ASSERT_TRUE(labels) << labels.error().message;
+    const std::vector<BoneLabel> kept = {{.bone = Bone::hips, .node = "Bone.0"},
+                                         {.bone = Bone::left_hand, .node = "Bone.8"},
+                                         {.bone = Bone::right_hand, .node = "Bone.14"}};
+    EXPECT_TRUE(
+        std::is_permutation(labels->bones.begin(), labels->bones.end(), kept.begin(), kept.end()));
+    const std::vector<std::string> said = {"me.toml: line 6: hips is on line 4 already; left out",
+                                           "me.toml: line 7: hips is on line 4 already; left out"};
+    EXPECT_EQ(labels->left_out, said);
+    Model model = figure_named("Bone.");
+    ASSERT_TRUE(map_humanoid(model, &*labels));
+    EXPECT_TRUE(warns(model, said[0]) && warns(model, said[1]));
+
+    const auto bad = read_bone_labels(head + "hips = \"a\"\nhips = \"b\"\nneck = [\n", "me.toml");
+    ASSERT_FALSE(bad);
+    EXPECT_EQ(bad.error().message.find("hips"), std::string::npos) << bad.error().message;
+}
+
 TEST(BoneLabels, of_a_bone_under_its_own_child_are_left_out_and_said) {
     Model model = figure_named("Bone.");
     const auto labels = read_bone_labels(
