@@ -10,9 +10,11 @@
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "engine/show/avatar_model.hpp"
+#include "engine/show/written_figure.hpp"
 #include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/formats/motion_format.hpp"
+#include "motion/skeleton/text_lines.hpp"
 #include "render/avatar/animation_sampler.hpp"
 #include "render/avatar/joint_tree.hpp"
 #include "render/avatar/node_clip.hpp"
@@ -68,6 +70,34 @@ class AvatarClipReader {
             return fail(printable(file_.string()) + ": there are no poses in it");
         }
         return clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
+    }
+
+    // A figure of a written dance, which the mannequin dances, as large as the body is.
+    Expected<AvatarClip> read_written() const {
+        const auto dance = load_written_dance(file_);
+        if (!dance) {
+            return fail(dance.error());
+        }
+        const auto figure = find_figure(*dance, name_);
+        if (!figure) {
+            return fail(figure.error());
+        }
+        const auto danced = std::make_shared<const motion::EvaluatedFigure>(
+            danced_figure(*dance, *figure, dance->written));
+        const double beats_a_second = dance->written.beats_per_second();
+        AvatarClip clip;
+        clip.duration_ = danced->repeats * danced->beats / beats_a_second;
+        clip.rate_ = danced->frames_per_second;
+        clip.pose_ = [danced,
+                      beats_a_second,
+                      end = clip.duration_,
+                      scale = hips_.y / motion::mannequin_skeleton().offsets[0].y](double seconds) {
+            const double beat = std::clamp(seconds, 0.0, end) * beats_a_second;
+            motion::Pose pose = motion::pose_between(danced->poses, danced->frame_of(beat));
+            pose.hips_position *= scale;
+            return pose;
+        };
+        return clip;
     }
 
     Expected<AvatarClip> read_model(const fs::path& labels,
@@ -175,6 +205,9 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
     const auto start = read_file_start(file, motion::kMotionFormatBytes);
     if (!start) {
         return fail(start.error());
+    }
+    if (motion::lower(file.extension().string()) == ".toml") {
+        return reader.read_written();
     }
     if (motion::motion_format(*start, file) != motion::MotionFormat::model) {
         return name.empty() ? reader.read_skeleton(options.joints)

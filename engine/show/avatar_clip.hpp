@@ -27,13 +27,14 @@ struct AvatarClipOptions {
     std::optional<render::BoneLabels> own_labels{};
 };
 
-/// A clip on a body: of a VRMA, of a glTF (its own), or a BVH. Threads: one. Real-time: no.
+/// A clip on a body: of a VRMA, of a glTF (its own), of a BVH, or a figure of a written dance, at
+/// its written tempo. Threads: one. Real-time: no.
 class AvatarClip {
  public:
-    /// `argument`: "FILE", whose first clip is taken, or "FILE#NAME". `hips`: where those of the
-    /// body rest; their travel is scaled by the ratio of hips heights. Errors, with the file's
-    /// name: those of its reader, there is no such clip in it, no figure, joints that it has not,
-    /// and joints where it is a model.
+    /// `argument`: "FILE", whose first clip (figure) is taken, or "FILE#NAME". `hips`: where those
+    /// of the body rest; their travel is scaled by the ratio of hips heights. Errors, with the
+    /// file's name: those of its reader, there is no such clip in it, no figure, joints that it has
+    /// not, and joints where it is a model.
     [[nodiscard]] static Expected<AvatarClip> load(const std::string& argument,
                                                    const glm::vec3& hips,
                                                    const AvatarClipOptions& options = {});

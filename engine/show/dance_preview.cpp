@@ -6,17 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "base/suggest.hpp"
-#include "motion/choreography/figure_check.hpp"
+#include "engine/show/written_figure.hpp"
 
 namespace raks::engine {
 namespace {
 
-// Repeats evaluated at once: each has its own noise; after the last the first follows again. Fewer
-// of long figures, so that a preview is there in a moment and takes a few megabytes.
-constexpr int kRepeats = 8;
-constexpr int kFewestRepeats = 2;
-constexpr int kMostBeats = 64;  // of all repeats
 // BPM that one press of up or down adds.
 constexpr double kTempoStep = 4.0;
 
@@ -36,39 +30,17 @@ Expected<DancePreview> DancePreview::create(const std::filesystem::path& path,
     preview.tempo_ = tempo;
     // Before the file is read: a save in between is then seen as newer.
     preview.saved_ = time_saved(path);
-    auto dance = preview.read();
+    auto dance = load_written_dance(path);
     if (!dance) {
         return fail(std::move(dance.error()));
     }
-    // Only a known figure can be begun with; the name nearest to a wrong one is suggested.
-    if (!figure.empty()) {
-        const motion::AuthoredFigure* const wanted = dance->figure(figure);
-        if (wanted == nullptr) {
-            std::vector<std::string_view> names;
-            for (const motion::AuthoredFigure& one : dance->figures) {
-                names.push_back(one.name);
-            }
-            return fail(dance->file + ": " + unknown_name("figure", figure, names));
-        }
-        preview.shown_ = static_cast<std::size_t>(wanted - dance->figures.data());
+    const auto first = find_figure(*dance, figure);
+    if (!first) {
+        return fail(first.error());
     }
+    preview.shown_ = *first;
     preview.take(std::move(*dance));
     return preview;
-}
-
-// A dance that the reader takes may still ask for what no body can do: every figure is checked.
-Expected<motion::AuthoredDance> DancePreview::read() const {
-    auto dance = motion::load_authored_dance(path_);
-    if (!dance) {
-        return dance;
-    }
-    for (const motion::AuthoredFigure& figure : dance->figures) {
-        const auto faults = motion::faults_in_motion(*dance, figure, motion::mannequin_skeleton());
-        if (!faults.empty()) {
-            return fail(faults.front());
-        }
-    }
-    return dance;
 }
 
 bool DancePreview::refresh() {
@@ -78,7 +50,7 @@ bool DancePreview::refresh() {
         return false;
     }
     saved_ = saved;
-    auto dance = read();
+    auto dance = load_written_dance(path_);
     if (!dance) {
         // What is shown stays until a good text is saved.
         fault_ = std::move(dance.error().message);
@@ -102,12 +74,7 @@ void DancePreview::take(motion::AuthoredDance dance) {
 
 // Evaluates the figure that is shown, at the tempo; done anew whenever either changes.
 void DancePreview::evaluate() {
-    motion::EvaluationOptions options;
-    options.written = dance_.written;
-    options.tempo = tempo_.value_or(dance_.written);
-    const motion::AuthoredFigure& figure = dance_.figures[shown_];
-    options.repeats = std::clamp(kMostBeats / figure.beats, kFewestRepeats, kRepeats);
-    evaluated_ = motion::evaluate_figure(figure, motion::mannequin_skeleton(), options);
+    evaluated_ = danced_figure(dance_, shown_, tempo_.value_or(dance_.written));
 }
 
 // The beat runs over all repeats and begins again at the first.

@@ -26,7 +26,7 @@ namespace raks::engine {
 class DancePreview {
  public:
     /// `path`: the dance's file. `figure`: the one to begin with; empty: the first. `tempo`: none:
-    /// as written. Errors: those of the reader and of faults_in_motion; no such figure.
+    /// as written. Errors: those of load_written_dance and find_figure.
     [[nodiscard]] static Expected<DancePreview> create(const std::filesystem::path& path,
                                                        const std::string& figure,
                                                        std::optional<Bpm> tempo);
@@ -61,7 +61,6 @@ class DancePreview {
 
  private:
     DancePreview() = default;
-    [[nodiscard]] Expected<motion::AuthoredDance> read() const;
     [[nodiscard]] motion::Pose at_beat(double beat) const;
     void take(motion::AuthoredDance dance);
     void evaluate();

@@ -53,6 +53,26 @@ TEST(AvatarClip, a_vrma_moves_the_mannequin) {
     EXPECT_EQ(clip->rate(), 60.0);
 }
 
+TEST(AvatarClip, a_figure_of_a_written_dance_moves_the_body_round_and_round) {
+    const fs::path dance = fs::path(RAKS_SOURCE_DIR) / "config" / "choreographies" / "waltz.toml";
+    const auto clip = AvatarClip::load(dance.string() + "#balance", hips());
+    ASSERT_TRUE(clip) << clip.error().message;
+    const auto small = AvatarClip::load(dance.string() + "#balance", 0.5F * hips());
+    ASSERT_TRUE(small) << small.error().message;
+    EXPECT_GT(clip->duration(), 3.0);
+    for (int i = 0; i <= 10; ++i) {
+        const double seconds = clip->duration() * i / 10.0;
+        expect_upright(clip->pose_at(seconds));
+        EXPECT_EQ(small->pose_at(seconds).hips_position,
+                  0.5F * clip->pose_at(seconds).hips_position);
+    }
+    EXPECT_EQ(clip->pose_at(-1.0).local_rotations, clip->pose_at(0.0).local_rotations);
+    EXPECT_NE(clip->pose_at(1.0).local_rotations, clip->pose_at(0.0).local_rotations);
+    const auto none = AvatarClip::load(dance.string() + "#balanse", hips());
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("balance"), std::string::npos) << none.error().message;
+}
+
 TEST(AvatarClip, what_is_no_clip_is_said_with_its_file) {
     const auto message_of = [](const std::string& name) {
         const auto clip = clip_of(name);
