@@ -83,31 +83,6 @@ Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
     return {};
 }
 
-// None: no motion is asked for.
-Expected<std::optional<engine::AvatarClip>> load_clip(const std::string& motion,
-                                                      const ShownModel& shown) {
-    if (motion.empty()) {
-        return std::nullopt;
-    }
-    const ShownModelPlan& plan = shown.plan;
-    const std::string missing = render::missing_bones(shown.figure.model.character.humanoid);
-    if (!missing.empty()) {
-        return fail(fmt::format("{}: no figure that can move: it lacks {}; label them first",
-                                printable(plan.file.string()),
-                                missing));
-    }
-    auto clip = engine::AvatarClip::load(motion,
-                                         shown.avatar->skeleton.offsets[0],
-                                         {.avatar = plan.file,
-                                          .labels = plan.options.labels,
-                                          .joints = plan.joints,
-                                          .own_labels = shown.labels});
-    if (!clip) {
-        return fail(std::move(clip.error()));
-    }
-    return std::move(*clip);
-}
-
 // Turns what is no figure into something that can be looked at, and a figure into what dances.
 void stand(ShownModel& shown) {
     render::Model& model = shown.figure.model;
@@ -161,8 +136,12 @@ Expected<ShownModel> load_shown_model(const ShownModelPlan& plan) {
     shown.as_read = std::move(*model);
     stand(shown);
     make_first_avatar(shown);
-    if (auto taken = take_motion(plan.motion, shown); !taken) {
-        return fail(std::move(taken.error()));
+    if (!plan.motion.empty()) {
+        auto clip = load_motion(plan.motion, wearer_of(shown));
+        if (!clip) {
+            return fail(std::move(clip.error()));
+        }
+        shown.clip = std::move(*clip);
     }
     return shown;
 }
@@ -180,21 +159,40 @@ void stand_by_labels(std::vector<render::BoneLabel> labels, ShownModel& model) {
     const auto& rig = model.avatar->rig->warnings;
     model.notes.insert(model.notes.end(), rig.begin(), rig.end());
     model.clip.reset();
-    if (auto clip = load_clip(model.plan.motion, model)) {
+    if (model.plan.motion.empty()) {
+        return;
+    }
+    if (auto clip = load_motion(model.plan.motion, wearer_of(model))) {
         model.clip = std::move(*clip);
     } else {
         model.notes.push_back(clip.error().message);
     }
 }
 
-Expected<void> take_motion(const std::string& motion, ShownModel& model) {
-    auto clip = load_clip(motion, model);
-    if (!clip) {
-        return fail(std::move(clip.error()));
+MotionWearer wearer_of(const ShownModel& model) {
+    return {.plan = model.plan,
+            .labels = model.labels,
+            .missing = render::missing_bones(model.figure.model.character.humanoid),
+            .hips = model.avatar->skeleton.offsets[0]};
+}
+
+Expected<engine::AvatarClip> load_motion(const std::string& motion, const MotionWearer& wearer) {
+    if (!wearer.missing.empty()) {
+        return fail(fmt::format("{}: no figure that can move: it lacks {}; label them first",
+                                printable(wearer.plan.file.string()),
+                                wearer.missing));
     }
-    model.clip = std::move(*clip);
-    model.plan.motion = motion;
-    return {};
+    return engine::AvatarClip::load(motion,
+                                    wearer.hips,
+                                    {.avatar = wearer.plan.file,
+                                     .labels = wearer.plan.options.labels,
+                                     .joints = wearer.plan.joints,
+                                     .own_labels = wearer.labels});
+}
+
+void wear(std::string motion, engine::AvatarClip clip, ShownModel& model) {
+    model.clip = std::move(clip);
+    model.plan.motion = std::move(motion);
 }
 
 ShownPose::ShownPose(const ShownModel& model) : state(*model.avatar->rig) {

@@ -58,9 +58,23 @@ struct ShownModel {
 /// the bones. Poses are to be made anew. Threads: workers. Real-time: no.
 void stand_by_labels(std::vector<render::BoneLabel> labels, ShownModel& model);
 
-/// Takes another motion (FILE, or FILE#NAME; empty: none). Errors: as load_shown_model; the one
-/// before stays. Threads: workers. Real-time: no.
-[[nodiscard]] Expected<void> take_motion(const std::string& motion, ShownModel& model);
+/// What a motion must know of whom it moves: a motion can be read while the model is shown.
+struct MotionWearer {
+    ShownModelPlan plan;
+    std::optional<render::BoneLabels> labels;  ///< it stands by
+    std::string missing;                       ///< bones that it lacks; empty: it can move
+    glm::vec3 hips{0.0F};                      ///< where those of its body rest
+};
+/// As the model stands now.
+[[nodiscard]] MotionWearer wearer_of(const ShownModel& model);
+
+/// Reads a motion (FILE, or FILE#NAME). Errors: as load_shown_model. Threads: workers. Real-time:
+/// no.
+[[nodiscard]] Expected<engine::AvatarClip> load_motion(const std::string& motion,
+                                                       const MotionWearer& wearer);
+
+/// Lets a motion move the model, instead of what moved it; it was read for the model as it stands.
+void wear(std::string motion, engine::AvatarClip clip, ShownModel& model);
 
 /// A dancer's picture of a frame: pose and joints. What swings is at rest.
 struct ShownPose {

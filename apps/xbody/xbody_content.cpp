@@ -1,21 +1,19 @@
 #include "apps/xbody/xbody_content.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <string_view>
+#include <iterator>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "apps/xbody/thumbnail.hpp"
 #include "apps/xbody/xbody_texts.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/user_folders.hpp"
 #include "render/import/humanoid_map.hpp"
-#include "render/import/image.hpp"
-#include "render/import/model_reader.hpp"
+#include "render/shader_warm_up.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -47,10 +45,13 @@ render::FrameTarget target_of(const render::Box& box, const render::PaneFrame& f
             .height = pixels(box.bottom()) - pixels(box.y)};
 }
 
-bool is_music_name(const fs::path& path) {
-    constexpr std::array<std::string_view, 6> kEndings = {
-        ".wav", ".mp3", ".flac", ".ogg", ".opus", ".m4a"};
-    return std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end();
+/// Lets a driver finish shaders before a model is there.
+FileArrival::Preparation warm_up_of(const XbodyStage& stage) {
+    return [quality = stage.quality()](const DroppedFiles& files) {
+        if (files.model) {
+            render::warm_up_shaders(*files.model->avatar, quality);
+        }
+    };
 }
 
 }  // namespace
@@ -62,6 +63,7 @@ XbodyContent::XbodyContent(XbodyStage stage, render::PaneHost host, const XbodyS
                              labels_of(stage_.model()),
                              transport_of(stage_.model(), start.frame),
                              {})),
+      arrival_(warm_up_of(stage_)),
       first_view_(start.view) {
     session_.has_names = start.has_names;
     begin_session();
@@ -85,34 +87,19 @@ void XbodyContent::follow_session() {
     view_.film = film_lines(stage_.model(), engine::pictures_folder());
 }
 
-// What is transparent is as dark as the pane.
 void XbodyContent::load_thumbnail() {
     thumbnail_.reset();
     view_.thumbnail = nullptr;
-    const render::Model& model = stage_.model().as_read;
-    const int index = model.character.licence.thumbnail;
-    if (index < 0 || model.images[static_cast<std::size_t>(index)].packed.empty()) {
-        return;
+    if (const auto found = thumbnail_of(stage_.model().as_read)) {
+        thumbnail_.emplace(found->width, found->height, found->rgb);
+        view_.thumbnail = &*thumbnail_;
+        view_.thumbnail_aspect =
+            static_cast<float>(found->width) / static_cast<float>(found->height);
     }
-    const render::ModelImage& packed = model.images[static_cast<std::size_t>(index)];
-    const auto image = render::decode_image(packed.packed, packed.halvings);
-    if (!image) {
-        return;  // said among what was left out
-    }
-    std::vector<std::uint8_t> rgb;
-    for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4) {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            rgb.push_back(
-                static_cast<std::uint8_t>(image->pixels[i + channel] * image->pixels[i + 3] / 255));
-        }
-    }
-    thumbnail_.emplace(image->width, image->height, rgb);
-    view_.thumbnail = &*thumbnail_;
-    view_.thumbnail_aspect = static_cast<float>(image->width) / static_cast<float>(image->height);
 }
 
 void XbodyContent::draw(const render::PaneFrame& frame) {
-    take_dropped();
+    take_arrived();
     take_dance();
     box_ = xbody_layout(frame.area).view;
     unit_ = frame.pen.unit();
@@ -138,7 +125,7 @@ bool XbodyContent::is_moving() {
     const HostTime now = HostClock::now();
     session_.transport.advance(to_seconds(now - std::exchange(advanced_, now)));
     const bool plays = !session_.transport.is_paused() && stage_.model().frame_count() > 1;
-    return plays || film_ || awaits_dance_ || !dropped_.empty();
+    return plays || film_ || arrival_.is_due();
 }
 
 bool XbodyContent::may_close() {
@@ -149,6 +136,8 @@ bool XbodyContent::may_close() {
     session_.message = "Not saved: S saves, Q once more closes without";
     return false;
 }
+
+std::string XbodyContent::title() const { return xbody_title(stage_.model()); }
 
 void XbodyContent::draw_model(const render::PaneFrame& frame, const render::Box& box) {
     if (session_.labels.now() != stands_by_) {
@@ -161,6 +150,7 @@ void XbodyContent::draw_model(const render::PaneFrame& frame, const render::Box&
         if (stage_.model().frame_count() != count) {
             session_.transport = transport_of(stage_.model(), at);
         }
+        arrival_.ask_again(wearer_of(stage_.model()));
         follow_session();
     }
     if (auto drawn = stage_.set_look(session_.look()); !drawn) {
@@ -195,37 +185,37 @@ void XbodyContent::add_to_film() {
     }
 }
 
-void XbodyContent::take_dropped() {
-    const fs::path path = std::exchange(dropped_, std::string());
-    if (path.empty()) {
+void XbodyContent::take_arrived() {
+    std::optional<DroppedFiles> files = arrival_.take();
+    if (!files) {
         return;
     }
-    session_.message.clear();
-    if (render::is_model_name(path)) {
-        take_model(path.string());
-    } else if (is_music_name(path)) {
-        take_music(path.string());
-    } else {
-        take_motion(path.string(), path.filename().string());
-    }
-}
-
-// A file without a surface is a motion.
-void XbodyContent::take_model(const std::string& path) {
-    auto model = load_shown_model({.file = path, .options = {}, .motion = {}, .joints = {}});
-    if (!model) {
-        session_.message = model.error().message;
-        return;
-    }
-    if (model->as_read.meshes.empty() && !model->as_read.animations.empty()) {
-        return take_motion(path, fs::path(path).filename().string());
-    }
-    if (!may_close()) {
+    if (files->model && !may_close()) {
         session_.message = "Labels are not saved: S saves, drop it once more to go on without";
         return;
     }
+    const std::string message = message_of(*files);
+    session_.message.clear();
+    if (awaits_dance_ && !files->motion.empty()) {
+        awaits_dance_ = false;
+        dance_.reset();
+    }
+    if (files->model) {
+        take_model(std::move(*files->model));
+    } else if (files->clip) {
+        take_motion(std::move(files->motion), std::move(*files->clip));
+    }
+    if (files->music) {
+        take_music(*files->music);
+    }
+    if (session_.message.empty()) {
+        session_.message = message;
+    }
+}
+
+void XbodyContent::take_model(ShownModel model) {
     film_.reset();
-    if (auto taken = stage_.take_model(std::move(*model)); !taken) {
+    if (auto taken = stage_.take_model(std::move(model)); !taken) {
         session_.message = taken.error().message;
     }
     const XbodySession before = std::exchange(session_,
@@ -233,6 +223,7 @@ void XbodyContent::take_model(const std::string& path) {
                                                             labels_of(stage_.model()),
                                                             transport_of(stage_.model(), 0),
                                                             {}));
+    session_.message = before.message;
     session_.page = before.page;
     session_.has_bones = before.has_bones;
     session_.has_names = before.has_names;
@@ -240,42 +231,31 @@ void XbodyContent::take_model(const std::string& path) {
     is_warned_ = false;
     begin_session();
     fulfil(FitView{"front"});
-    if (session_.message.empty()) {
-        const bool is_whole = stage_.model().notes.empty();
-        session_.message = fmt::format("This is {}{}",
-                                       printable(fs::path(path).filename().string()),
-                                       is_whole ? "" : "; what was mended or left out is on File");
-    }
 }
 
-void XbodyContent::take_motion(const std::string& path, const std::string& name) {
-    const auto taken = stage_.take_motion(path);
-    if (!taken) {
-        session_.message = taken.error().message;
-        return;
-    }
+void XbodyContent::take_motion(std::string motion, engine::AvatarClip clip) {
     film_.reset();
+    stage_.wear(std::move(motion), std::move(clip));
     session_.transport = transport_of(stage_.model(), 0);
-    session_.message = "It is moved by " + printable(name);
+    follow_session();
 }
 
-void XbodyContent::take_music(const std::string& path) {
+void XbodyContent::take_music(const DroppedFile& music) {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-    auto dance = MadeDance::begin(program, path);
+    auto dance = MadeDance::begin(program, music.path);
     if (!dance) {
         session_.message = dance.error().message;
         return;
     }
     dance_ = std::move(*dance);
     awaits_dance_ = true;
-    music_ = fs::path(path).filename().string();
-    session_.message = "Making a dance to " + printable(music_);
+    music_ = music.name;
 }
 
 // What was made stays as long as it is the motion: other labels read it anew.
 void XbodyContent::take_dance() {
-    if (!awaits_dance_) {
+    if (!awaits_dance_ || arrival_.is_awaited()) {
         return;
     }
     const auto made = dance_->take();
@@ -283,7 +263,7 @@ void XbodyContent::take_dance() {
     if (!made) {
         session_.message = made.error().message;
     } else if (*made) {
-        take_motion((*made)->string(), "a dance to " + music_);
+        arrival_.ask({{**made, "a dance to " + music_}}, wearer_of(stage_.model()));
     }
 }
 
@@ -340,9 +320,11 @@ void XbodyContent::fulfil(const StopFilm& /*wish*/) {
     }
 }
 
-void XbodyContent::fulfil(const TakeFile& wish) {
-    dropped_ = wish.path;
-    session_.message = "Reading " + printable(fs::path(wish.path).filename().string());
+void XbodyContent::fulfil(const TakeFiles& wish) {
+    std::vector<DroppedFile> files;
+    std::transform(wish.paths.begin(), wish.paths.end(), std::back_inserter(files), dropped_file);
+    session_.message = loading_message(files);
+    arrival_.ask(std::move(files), wearer_of(stage_.model()));
 }
 
 void XbodyContent::fulfil(const CloseXbody& /*wish*/) { is_finished_ = may_close(); }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/xbody/dropped_files.hpp"
+#include "apps/xbody/file_arrival.hpp"
 #include "apps/xbody/made_dance.hpp"
 #include "apps/xbody/window_film.hpp"
 #include "apps/xbody/xbody_pane.hpp"
@@ -30,6 +32,7 @@ class XbodyContent : public render::PaneContent {
     bool is_moving() override;
     bool may_close() override;
     [[nodiscard]] bool is_finished() const override { return is_finished_; }
+    [[nodiscard]] std::string title() const override;
 
  private:
     void begin_session();
@@ -37,10 +40,10 @@ class XbodyContent : public render::PaneContent {
     void load_thumbnail();
     void draw_model(const render::PaneFrame& frame, const render::Box& box);
     void add_to_film();
-    void take_dropped();
-    void take_model(const std::string& path);
-    void take_motion(const std::string& path, const std::string& name);
-    void take_music(const std::string& path);
+    void take_arrived();
+    void take_model(ShownModel model);
+    void take_motion(std::string motion, engine::AvatarClip clip);
+    void take_music(const DroppedFile& music);
     void take_dance();
 
     void fulfil(const XbodyAction& action);
@@ -49,7 +52,7 @@ class XbodyContent : public render::PaneContent {
     void fulfil(const SaveXbody& wish);
     void fulfil(const WriteFilm& wish);
     void fulfil(const StopFilm& wish);
-    void fulfil(const TakeFile& wish);
+    void fulfil(const TakeFiles& wish);
     void fulfil(const CloseXbody& wish);
 
     XbodyStage stage_;
@@ -62,7 +65,7 @@ class XbodyContent : public render::PaneContent {
     std::optional<MadeDance> dance_;  // to music that was dropped
     std::string music_;               // its name
     bool awaits_dance_ = false;       // it is not done
-    std::string dropped_;             // path that is taken in the next frame, once it is said
+    FileArrival arrival_;             // of what was dropped
     std::string first_view_;          // until the window's form is known
     render::Box box_;                 // of the model; units
     float unit_ = 1.0F;               // pixels

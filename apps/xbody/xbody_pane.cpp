@@ -31,8 +31,8 @@ class XbodyPane {
                 d_.wishes.push_back(std::move(one));
             }
         }
-        for (const std::string& path : d_.frame.dropped) {
-            d_.wishes.emplace_back(TakeFile{path});
+        if (!d_.frame.dropped.empty()) {
+            d_.wishes.emplace_back(TakeFiles{d_.frame.dropped});
         }
         model();
         views();

@@ -81,9 +81,9 @@ struct WriteFilm {
 };
 /// What is being written ends with what there is.
 struct StopFilm {};
-/// A file was dropped: a model, a motion, music.
-struct TakeFile {
-    std::string path;
+/// Files were dropped together: models, motions, music.
+struct TakeFiles {
+    std::vector<std::string> paths;
 };
 /// The window is to close.
 struct CloseXbody {};
@@ -95,7 +95,7 @@ using XbodyWish = std::variant<XbodyAction,
                                SaveXbody,
                                WriteFilm,
                                StopFilm,
-                               TakeFile,
+                               TakeFiles,
                                CloseXbody>;
 
 /// Bones in the order of the page: those that a figure needs, then the others.

@@ -46,8 +46,8 @@ Expected<void> XbodyStage::stand_by_labels(std::vector<render::BoneLabel> labels
     return upload();
 }
 
-Expected<void> XbodyStage::take_motion(const std::string& motion) {
-    return apps::take_motion(motion, model_);
+void XbodyStage::wear(std::string motion, engine::AvatarClip clip) {
+    apps::wear(std::move(motion), std::move(clip), model_);
 }
 
 Expected<void> XbodyStage::take_model(ShownModel model) {

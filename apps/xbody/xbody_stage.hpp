@@ -24,13 +24,15 @@ class XbodyStage {
     [[nodiscard]] const ShownPose& shown() const noexcept { return shown_; }
     /// A pixel, that a target should have.
     [[nodiscard]] int samples() const noexcept { return renderer_.samples(); }
+    /// Fast or high.
+    [[nodiscard]] render::Quality quality() const noexcept { return renderer_.quality(); }
 
     /// Draws it so from now on. Errors: a shader that the driver refuses; it is drawn as before.
     [[nodiscard]] Expected<void> set_look(const ModelLook& look);
     /// As apps::stand_by_labels; the look stays. Errors: as set_look.
     [[nodiscard]] Expected<void> stand_by_labels(std::vector<render::BoneLabel> labels);
-    /// As apps::take_motion.
-    [[nodiscard]] Expected<void> take_motion(const std::string& motion);
+    /// As apps::wear.
+    void wear(std::string motion, engine::AvatarClip clip);
     /// Another model, as it looks itself. Errors: as set_look.
     [[nodiscard]] Expected<void> take_model(ShownModel model);
 

@@ -46,6 +46,10 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
     return lines;
 }
 
+std::string xbody_title(const ShownModel& model) {
+    return "Raks: xbody " + printable(model.file().filename().string());
+}
+
 std::vector<XbodyLine> mesh_lines(const render::Model& model) {
     std::vector<XbodyLine> lines;
     for (const render::SubMesh& part : render::sub_meshes(model)) {

@@ -11,6 +11,9 @@
 
 namespace raks::apps {
 
+/// What a window is named while it shows this model.
+[[nodiscard]] std::string xbody_title(const ShownModel& model);
+
 /// Three lines a sub-mesh: its name, what it is made of, its box.
 [[nodiscard]] std::vector<XbodyLine> mesh_lines(const render::Model& model);
 

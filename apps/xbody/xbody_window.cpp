@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "apps/xbody/xbody_content.hpp"
-#include "base/printable.hpp"
+#include "apps/xbody/xbody_texts.hpp"
 #include "render/panes/pane_window.hpp"
 
 namespace raks::apps {
@@ -11,12 +11,11 @@ namespace raks::apps {
 Expected<void> xbody_in_window(ShownModel model,
                                const XbodyStart& start,
                                const std::function<bool()>& is_stop_requested) {
-    auto window = render::PaneWindow::create(
-        {.title = "Raks: xbody " + printable(model.file().filename().string()),
-         .width = start.width,
-         .height = start.height,
-         .max_fps = 60.0,
-         .otherwise = "draw a picture: -o X.png"});
+    auto window = render::PaneWindow::create({.title = xbody_title(model),
+                                              .width = start.width,
+                                              .height = start.height,
+                                              .max_fps = 60.0,
+                                              .otherwise = "draw a picture: -o X.png"});
     if (!window) {
         return fail(std::move(window.error()));
     }

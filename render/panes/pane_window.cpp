@@ -65,7 +65,15 @@ void PaneWindow::run(PaneContent& content, const std::function<bool()>& is_stop_
         glClear(GL_COLOR_BUFFER_BIT);
         const float scale = pane_scale(target.width, target.height, window_.content_scale());
         host_.draw(target, scale, pointer, [&](const PaneFrame& frame) { content.draw(frame); });
+        take_title(content.title());
         window_.present();
+    }
+}
+
+void PaneWindow::take_title(std::string title) {
+    if (!title.empty() && title != title_) {
+        title_ = std::move(title);
+        window_.set_title(title_);
     }
 }
 

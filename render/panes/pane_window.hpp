@@ -24,6 +24,8 @@ class PaneContent {
     [[nodiscard]] virtual bool may_close() = 0;
     /// Whether the content asks for the end, which may_close() was not asked about.
     [[nodiscard]] virtual bool is_finished() const = 0;
+    /// After each frame: what the window is named, UTF-8; empty: as it was opened.
+    [[nodiscard]] virtual std::string title() const { return {}; }
 };
 
 /// A window with panes. Nothing is drawn while nothing happens. Threads: main. Real-time: no.
@@ -38,9 +40,11 @@ class PaneWindow {
 
  private:
     PaneWindow(Window window, PaneHost host);
+    void take_title(std::string title);
 
     Window window_;  // before the host, which needs its context
     PaneHost host_;
+    std::string title_;  // that was set; empty: none
 };
 
 }  // namespace raks::render

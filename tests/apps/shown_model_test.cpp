@@ -145,14 +145,16 @@ TEST_F(ShownModels, other_labels_move_it_at_once_and_its_motion_goes_and_comes_w
     const std::string clip = std::string(RAKS_SOURCE_DIR) + "/tests/data/bvh/dance/own_dance.bvh";
     auto model = load();
     ASSERT_TRUE(model) << model.error().message;
-    const auto taken = take_motion(clip, *model);
-    ASSERT_TRUE(taken) << taken.error().message;
+    auto read = load_motion(clip, wearer_of(*model));
+    ASSERT_TRUE(read) << read.error().message;
+    wear(clip, std::move(*read), *model);
     const std::size_t frames = model->frame_count();
     const std::vector<std::string> notes = model->notes;
     EXPECT_GT(frames, 1U);
 
     stand_by_labels({{.bone = motion::Bone::hips, .node = "HandL"}}, *model);
     EXPECT_EQ(model->frame_count(), 1U) << "hips on a hand make no figure";
+    EXPECT_FALSE(load_motion(clip, wearer_of(*model)));
     EXPECT_TRUE(std::any_of(model->notes.begin(), model->notes.end(), [](const auto& note) {
         return note.find("it cannot dance") != std::string::npos;
     }));
@@ -160,8 +162,7 @@ TEST_F(ShownModels, other_labels_move_it_at_once_and_its_motion_goes_and_comes_w
     stand_by_labels({}, *model);
     EXPECT_EQ(model->frame_count(), frames);
     EXPECT_EQ(model->notes, notes);
-    EXPECT_FALSE(take_motion((folder_ / "none.bvh").string(), *model));
-    EXPECT_EQ(model->frame_count(), frames) << "the one before stays";
+    EXPECT_FALSE(load_motion((folder_ / "none.bvh").string(), wearer_of(*model)));
 }
 
 TEST_F(ShownModels, a_clip_that_is_not_there_is_a_fault) {

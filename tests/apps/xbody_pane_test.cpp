@@ -44,8 +44,8 @@ class XbodyPanes : public ::testing::Test {
                     film_ = film->ending;
                 }
                 film_ = std::holds_alternative<StopFilm>(wish) ? "stopped" : film_;
-                if (const auto* const file = std::get_if<TakeFile>(&wish)) {
-                    dropped_.push_back(file->path);
+                if (const auto* const files = std::get_if<TakeFiles>(&wish)) {
+                    dropped_.push_back(files->paths);
                 }
             }
         }
@@ -82,7 +82,7 @@ class XbodyPanes : public ::testing::Test {
     render::PointerPlace pointer_;
     int saves_ = 0;
     std::string film_;
-    std::vector<std::string> dropped_;
+    std::vector<std::vector<std::string>> dropped_;
 };
 
 TEST_F(XbodyPanes, a_node_a_bone_and_label_make_a_label_which_is_taken_back_and_done_again) {
@@ -239,9 +239,9 @@ TEST_F(XbodyPanes, a_film_is_asked_for_and_stopped) {
     EXPECT_EQ(film_, "stopped");
 }
 
-TEST_F(XbodyPanes, a_dropped_file_is_handed_on) {
-    frames({render::DropEvent{{"a.glb", "b.bvh"}}});
-    EXPECT_EQ(dropped_, (std::vector<std::string>{"a.glb", "b.bvh"}));
+TEST_F(XbodyPanes, files_that_are_dropped_together_are_handed_on_together) {
+    frames({render::DropEvent{{"a.glb", "b.bvh"}}, render::DropEvent{{"c.wav"}}});
+    EXPECT_EQ(dropped_, (std::vector<std::vector<std::string>>{{"a.glb", "b.bvh"}, {"c.wav"}}));
 }
 
 TEST_F(XbodyPanes, a_drag_in_the_view_turns_the_camera_and_picks_nothing) {

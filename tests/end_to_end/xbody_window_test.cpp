@@ -107,6 +107,8 @@ TEST_F(XbodyWindow, a_model_that_is_dropped_takes_the_place_of_the_first) {
     ASSERT_TRUE(write_file(folder_ / "other.3ds", tds::figure()));
     open();
     drop_files(window_, {path("other.3ds")});
+    EXPECT_EQ(run_program({"xdotool", "search", "--sync", "--name", "^Raks: xbody other.3ds$"}),
+              window_ + "\n");
     label("HandL", Bone::left_upper_arm);
     press("s");
     EXPECT_TRUE(program_->wait_until([&](const ProcessResult&) {
