@@ -18,14 +18,14 @@ std::uint64_t ways_of(std::uint64_t seed, std::size_t member) {
 
 }  // namespace
 
-Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
-                                 const Skeleton& skeleton) {
+Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members) {
     if (members.empty() || members.size() > kMost) {
         return fail("an ensemble has 1 to " + std::to_string(kMost) + " dancers");
     }
     std::vector<Dancer> dancers(members.size());
     for (std::size_t i = 0; i < members.size(); ++i) {
-        if (auto ok = dancers[i].prepare(members[i].repertoire, skeleton, members[i].part); !ok) {
+        const DancingBody& body = members[i].body;
+        if (auto ok = dancers[i].prepare(body.repertoire, body.skeleton, members[i].part); !ok) {
             return ok;
         }
     }
@@ -34,9 +34,9 @@ Expected<void> Ensemble::prepare(std::span<const EnsembleMember> members,
     for (const EnsembleMember& member : members) {
         places_.emplace_back(member.part.place);
     }
-    hold_.prepare(skeleton);
+    hold_.prepare(members.front().body.skeleton, members.back().body.skeleton);
     const bool is_couple = members.size() == 2 && members[0].part.is_in_couple;
-    couple_ = is_couple ? members[0].repertoire : nullptr;
+    couple_ = is_couple ? members[0].body.repertoire : nullptr;
     return {};
 }
 
@@ -110,8 +110,7 @@ DancerStatus Ensemble::status() const noexcept RAKS_NONBLOCKING {
 }
 
 std::vector<EnsembleMember> members_of(Formation formation,
-                                       const std::shared_ptr<const Repertoire>& lead,
-                                       const std::shared_ptr<const Repertoire>& follow,
+                                       const std::vector<DancingBody>& bodies,
                                        std::uint64_t seed,
                                        Dynamics dynamics,
                                        std::size_t dancers) {
@@ -119,15 +118,15 @@ std::vector<EnsembleMember> members_of(Formation formation,
     part.dynamics = dynamics;
     part.seed = part.ways = seed;
     if (formation == Formation::solo) {
-        return {{lead, part}};
+        return {{bodies.front(), part}};
     }
     std::vector<EnsembleMember> members;
     if (formation == Formation::couple) {
         part.is_in_couple = true;
-        for (const auto& repertoire : {lead, follow}) {
-            part.ways = ways_of(seed, members.size());
-            part.partner = repertoire == lead ? follow : lead;
-            members.push_back({repertoire, part});
+        for (const std::size_t own : {0U, 1U}) {
+            part.ways = ways_of(seed, own);
+            part.partner = bodies[1 - own].repertoire;
+            members.push_back({bodies[own], part});
         }
         return members;
     }
@@ -140,7 +139,7 @@ std::vector<EnsembleMember> members_of(Formation formation,
             formation == Formation::canon ? kCanonBars * static_cast<int>(i % kCanonVoices) : 0;
         part.ways = ways_of(seed, i);
         part.seed = formation == Formation::free ? part.ways : seed;
-        members.push_back({lead, part});
+        members.push_back({bodies[i % bodies.size()], part});
     }
     return members;
 }

@@ -15,10 +15,16 @@
 
 namespace raks::motion {
 
+/// A body that dances, and the dances that were solved for it.
+struct DancingBody {
+    Skeleton skeleton;
+    std::shared_ptr<const Repertoire> repertoire;  ///< not null
+};
+
 /// One of several who dance to the same music.
 struct EnsembleMember {
-    std::shared_ptr<const Repertoire> repertoire;  ///< its dances; not null
-    DancerPart part;                               ///< what it does of its own
+    DancingBody body;
+    DancerPart part;  ///< what it does of its own
 };
 
 /// Several dancers, each on a track of its own: a couple, or some side by side.
@@ -32,8 +38,7 @@ class Ensemble {
     Ensemble(Dancer dancer) : places_(1) { dancers_.push_back(std::move(dancer)); }
 
     /// Errors: none or more than kMost members; as Dancer::prepare says. Real-time: no.
-    [[nodiscard]] Expected<void> prepare(std::span<const EnsembleMember> members,
-                                         const Skeleton& skeleton);
+    [[nodiscard]] Expected<void> prepare(std::span<const EnsembleMember> members);
 
     /// One hop for all: member i appends to tracks[i]. Real-time: yes.
     void advance(const MusicState& state, std::span<PoseTrack> tracks) noexcept RAKS_NONBLOCKING;
@@ -68,14 +73,13 @@ class Ensemble {
     HandHold hold_;
 };
 
-/// The members of a formation. `lead`, `follow`: the two parts of the dance; couples need both.
-/// `dancers`: as for dancers_in.
-[[nodiscard]] std::vector<EnsembleMember> members_of(
-    Formation formation,
-    const std::shared_ptr<const Repertoire>& lead,
-    const std::shared_ptr<const Repertoire>& follow,
-    std::uint64_t seed,
-    Dynamics dynamics = Dynamics::on,
-    std::size_t dancers = 0);
+/// The members of a formation. `bodies`: of a couple the lead's and the follow's, each with its
+/// part of the dances; of others those that dancers have in turn, at least one, with the lead's
+/// part. `dancers`: as for dancers_in.
+[[nodiscard]] std::vector<EnsembleMember> members_of(Formation formation,
+                                                     const std::vector<DancingBody>& bodies,
+                                                     std::uint64_t seed,
+                                                     Dynamics dynamics = Dynamics::on,
+                                                     std::size_t dancers = 0);
 
 }  // namespace raks::motion

@@ -11,6 +11,7 @@
 #include "base/sleep_until.hpp"
 #include "engine/live/live_graph.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/trials/loop_recorder.hpp"
 #include "engine/trials/shown_landing.hpp"
 #include "motion/figures/figure_model.hpp"

@@ -74,6 +74,18 @@ Expected<std::vector<render::Model>> figures_of(const std::vector<Path>& files,
     return figures;
 }
 
+// The bodies of figures; without figures the mannequin's.
+std::vector<motion::Skeleton> bodies_of(const std::vector<render::Model>& figures) {
+    std::vector<motion::Skeleton> bodies;
+    for (const render::Model& figure : figures) {
+        bodies.push_back(engine::dance_body_of(figure));
+    }
+    if (bodies.empty()) {
+        bodies.push_back(motion::mannequin_skeleton());
+    }
+    return bodies;
+}
+
 // The file of one dancer: x.bvh when there is one, else x_1.bvh, x_2.bvh, ...; of a couple 1 leads.
 Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
     if (dancers == 1) {
@@ -155,9 +167,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!figures) {
         return fail(figures.error());
     }
-    const auto setup = open_dancers(
-        arguments.settings,
-        figures->empty() ? motion::mannequin_skeleton() : engine::dance_body_of(figures->front()));
+    const auto setup = open_dancers(arguments.settings, bodies_of(*figures));
     if (!setup) {
         return fail(setup.error());
     }

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "apps/dances/written_dance.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/offline/song_planner.hpp"
+#include "engine/setup/asked_formation.hpp"
+#include "engine/setup/dance_files.hpp"
 #include "engine/show/avatar_files.hpp"
 
 #include <fmt/format.h>
@@ -128,13 +131,19 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     return DanceSetup{std::move(*catalogue), std::move(*models), body};
 }
 
-Expected<OfflineSetup> open_dancers(engine::Settings& settings, const motion::Skeleton& body) {
+Expected<OfflineSetup> open_dancers(engine::Settings& settings,
+                                    std::vector<motion::Skeleton> bodies) {
     const EndAtOnceOnSignals at_once;
-    auto setup = open_dances(settings, body);
+    auto setup = open_dances(settings, bodies.front());
     if (!setup) {
         return fail(std::move(setup.error()));
     }
-    auto dancers = engine::Dancers::load(settings, setup->catalogue, setup->skeleton);
+    if (const auto formation = engine::asked_formation(settings)) {
+        // Bodies that nobody has are not solved for.
+        bodies.resize(std::min(bodies.size(), engine::asked_dancers(settings, *formation)));
+    }
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    auto dancers = engine::Dancers::load(settings, setup->catalogue, bodies, cores);
     if (!dancers) {
         return fail(std::move(dancers.error()));
     }
@@ -151,7 +160,7 @@ Expected<StageSetup> open_formations(engine::Settings& settings) {
     if (!setup) {
         return fail(std::move(setup.error()));
     }
-    auto formations = engine::Formations::load(settings, setup->catalogue, setup->skeleton);
+    auto formations = engine::Formations::load(settings, setup->catalogue, {setup->skeleton});
     if (!formations) {
         return fail(std::move(formations.error()));
     }

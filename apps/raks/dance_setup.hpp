@@ -4,7 +4,7 @@
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_clip.hpp"
@@ -48,9 +48,11 @@ struct OfflineSetup : DanceSetup {
     engine::Dancers dancers;
 };
 /// As open_dances(), and loads all dances that the settings ask for; says which were left out.
-/// Errors: also those of engine::Dancers::load.
-[[nodiscard]] Expected<OfflineSetup> open_dancers(
-    engine::Settings& settings, const motion::Skeleton& body = motion::mannequin_skeleton());
+/// `bodies`: those that dancers have in turn, at least one. Errors: also those of
+/// engine::Dancers::load.
+[[nodiscard]] Expected<OfflineSetup> open_dancers(engine::Settings& settings,
+                                                  std::vector<motion::Skeleton> bodies = {
+                                                      motion::mannequin_skeleton()});
 
 /// What of a file is danced offline, and how.
 struct OfflineMusic {

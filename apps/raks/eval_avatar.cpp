@@ -12,6 +12,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/trials/avatar_measures.hpp"
 #include "engine/trials/dance_trial.hpp"

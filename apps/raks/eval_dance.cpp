@@ -13,6 +13,7 @@
 #include "audio/io/audio_file.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/trials/trained_figures.hpp"
 #include "motion/dance_library.hpp"
 
@@ -109,12 +110,11 @@ Expected<engine::TrialCast> cast_of(const Measured& measured, const Figures& fig
         return fail(follow.error());
     }
     return engine::TrialCast{setup.models,
-                             {motion::members_of(Formation::couple,
-                                                 Repertoire::of_one(*lead),
-                                                 Repertoire::of_one(*follow),
-                                                 seed,
-                                                 measured.dynamics),
-                              setup.skeleton},
+                             motion::members_of(Formation::couple,
+                                                {{setup.skeleton, Repertoire::of_one(*lead)},
+                                                 {setup.skeleton, Repertoire::of_one(*follow)}},
+                                                seed,
+                                                measured.dynamics),
                              // The lead is member 0, the follow member 1.
                              static_cast<std::size_t>(measured.report.role)};
 }

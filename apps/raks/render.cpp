@@ -388,8 +388,7 @@ ExitCode render(const RenderArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto setup =
-        open_dancers(arguments.settings, render::dance_body(*look->avatars.front().avatar));
+    const auto setup = open_dancers(arguments.settings, engine::dance_bodies_of(look->avatars));
     if (!setup) {
         return fail(setup.error());
     }

@@ -77,7 +77,7 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
         return fail(look.error());
     }
     // Until it is solved for the avatar, the dance is retargeted.
-    formations.ask_for_body(render::dance_body(*look->avatars.front().avatar));
+    formations.ask_for_bodies(engine::dance_bodies_of(look->avatars));
     std::unique_ptr<StageLoop> loop(
         new StageLoop(settings, options, std::move(dances), formations));
     if (!options.is_headless) {
@@ -214,7 +214,7 @@ void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
 void StageLoop::carry_over() {
     repeat_selected_dance();
     live_actions_.brief_dancers();
-    const motion::Repertoire& repertoire = *formations_.cast().members.front().repertoire;
+    const motion::Repertoire& repertoire = *formations_.cast().front().body.repertoire;
     const DanceId first = selected_dance_ == DanceId::none ? repertoire.first() : selected_dance_;
     // Another dance has other figures.
     const motion::DanceLibrary* const dance =
@@ -258,8 +258,8 @@ void StageLoop::advance(double /*seconds*/) {
         say(change.error().message);
     } else if (*change == engine::Formations::Change::formation) {
         change_formation();
-    } else if (*change == engine::Formations::Change::body) {
-        change_body();
+    } else if (*change == engine::Formations::Change::bodies) {
+        change_bodies();
     }
 }
 
@@ -382,11 +382,11 @@ void StageLoop::change_formation() {
     say(fmt::format("dancing: {}", formation_));
 }
 
-// The same dance goes on, solved for the body that is seen.
-void StageLoop::change_body() {
+// The same dance goes on, solved for the bodies that are seen.
+void StageLoop::change_bodies() {
     const auto replaced =
         graph_->replace_dancers(formations_.cast(), engine::MotionStage::Entry::onward);
-    replaced ? say_detail("the dance is solved for this avatar") : say(replaced.error().message);
+    replaced ? say_detail("the dance is solved for what is worn") : say(replaced.error().message);
 }
 
 // A camera preset is made for one or two dancers.
@@ -411,7 +411,7 @@ void StageLoop::follow_dance() {
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
-    formations_.ask_for_body(render::dance_body(picture.bodies.avatar()));
+    formations_.ask_for_bodies(picture.bodies.dance_bodies());
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
     const engine::ShownMoment shown{stage.music,

@@ -99,7 +99,7 @@ class StageLoop final : private engine::WindowContent {
     void note_figure(engine::LiveGraph& graph);
     void ask_for_next_formation();
     void change_formation();
-    void change_body();
+    void change_bodies();
 
     engine::Settings settings_;
     Options options_;

@@ -110,7 +110,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     pose_lead_ = config.pose_lead;
     motion::Ensemble dancers;
-    if (auto ok = dancers.prepare(config.cast.members, config.cast.skeleton); !ok) {
+    if (auto ok = dancers.prepare(config.cast); !ok) {
         return ok;
     }
     for_main_ = std::make_unique<StageChannel>();
@@ -317,7 +317,7 @@ bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept
 Expected<void> LiveGraph::replace_dancers(const Cast& cast, MotionStage::Entry entry) {
     // Prepared here, since the motion thread must neither allocate nor wait.
     motion::Ensemble dancers;
-    if (auto ok = dancers.prepare(cast.members, cast.skeleton); !ok) {
+    if (auto ok = dancers.prepare(cast); !ok) {
         return ok;
     }
     if (!motion_->replace(std::move(dancers), entry)) {

@@ -18,7 +18,7 @@
 #include "engine/live/playback.hpp"
 #include "engine/live/sleep_watch.hpp"
 #include "engine/setup/analyzer_setup.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/device_offsets.hpp"
 #include "motion/dancer.hpp"
 #include "motion/ensemble.hpp"
@@ -28,7 +28,7 @@ namespace raks::engine {
 /// What `play` and `live` both need to start.
 struct LiveGraphConfig {
     AnalyzerModels models;  ///< beat network, genre model and list of dances
-    Cast cast;              ///< the dancers, their repertoires and skeleton
+    Cast cast;              ///< the dancers, their repertoires and bodies
     /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
     bool is_held_back = false;
     Nanos latency_offset{};        ///< the user's, added to what the device reports

@@ -41,13 +41,13 @@ class DanceEachState final : public audio::MusicAnalyzer::Sink {
 Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
                                               const AnalyzerModels& models,
                                               const Cast& cast) {
-    // The dancers' skeleton and seeds are in the cast; everything that can fail fails here.
+    // The dancers' bodies and seeds are in the cast; everything that can fail fails here.
     auto analyzer = make_analyzer(rate, models);
     if (!analyzer) {
         return fail(analyzer.error());
     }
     motion::Ensemble dancers;
-    if (auto prepared = dancers.prepare(cast.members, cast.skeleton); !prepared) {
+    if (auto prepared = dancers.prepare(cast); !prepared) {
         return fail(prepared.error());
     }
     return OfflineDriver(rate, std::move(*analyzer), std::move(dancers));
@@ -58,7 +58,7 @@ Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
                                               StreamTime start,
                                               const Cast& cast) {
     motion::Ensemble dancers;
-    if (auto prepared = dancers.prepare(cast.members, cast.skeleton); !prepared) {
+    if (auto prepared = dancers.prepare(cast); !prepared) {
         return fail(prepared.error());
     }
     OfflineDriver driver(rate, audio::MusicAnalyzer(), std::move(dancers));

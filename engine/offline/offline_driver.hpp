@@ -10,7 +10,7 @@
 #include "base/music_state.hpp"
 #include "base/time.hpp"
 #include "engine/setup/analyzer_setup.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/pose_track.hpp"

@@ -1,9 +1,11 @@
 #include "engine/setup/formations.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "engine/setup/asked_formation.hpp"
+#include "engine/setup/dance_files.hpp"
 
 #include <fmt/format.h>
 
@@ -25,21 +27,25 @@ Formation after(Formation formation) {
 
 Expected<Formations> Formations::load(const Settings& settings,
                                       const DanceCatalogue& catalogue,
-                                      const motion::Skeleton& skeleton) {
-    auto dancers = Dancers::load(settings, catalogue, skeleton);
+                                      const std::vector<motion::Skeleton>& bodies) {
+    auto dancers = Dancers::load(settings, catalogue, bodies);
     if (!dancers) {
         return fail(std::move(dancers.error()));
     }
-    return Formations(settings, catalogue, std::move(*dancers));
+    return Formations(settings, catalogue, std::move(*dancers), bodies);
 }
 
-Formations::Formations(Settings settings, DanceCatalogue catalogue, Dancers dancers)
+Formations::Formations(Settings settings,
+                       DanceCatalogue catalogue,
+                       Dancers dancers,
+                       std::vector<motion::Skeleton> bodies)
     : settings_(std::move(settings)),
       catalogue_(std::move(catalogue)),
       danced_(*asked_formation(settings_)),  // Dancers::load has refused any other
       asked_(danced_),
       cast_(dancers.cast()),
-      body_(cast_.skeleton) {
+      bodies_(std::move(bodies)),
+      danced_bodies_(bodies_) {
     // Dancers are kept by kind, so that going back to a formation needs no loading.
     (is_couple(danced_) ? couple_ : alone_).emplace(std::move(dancers));
 }
@@ -53,12 +59,12 @@ std::string_view Formations::ask_for_next() {
     return name_of(asked_);
 }
 
-void Formations::ask_for_body(const motion::Skeleton& body) {
-    if (body == body_) {
+void Formations::ask_for_bodies(const std::vector<motion::Skeleton>& bodies) {
+    if (bodies == bodies_) {
         return;
     }
-    body_ = body;
-    // A formation that the dance has not is not asked for again with the body.
+    bodies_ = bodies;
+    // A formation that the dance has not is not asked for again with the bodies.
     if (!is_waiting_) {
         asked_ = danced_;
     }
@@ -77,13 +83,23 @@ std::optional<Dancers>& Formations::dancers_for(Formation formation) noexcept {
 
 bool Formations::has_dancers_for(Formation formation) const noexcept {
     const std::optional<Dancers>& dancers = is_couple(formation) ? couple_ : alone_;
-    return dancers && dancers->cast().skeleton == body_ && !dancers->is_stopped();
+    if (!dancers || dancers->is_stopped()) {
+        return false;
+    }
+    const std::vector<motion::Skeleton> asked = bodies_in(formation, bodies_);
+    return std::equal(asked.begin(),
+                      asked.end(),
+                      dancers->bodies().begin(),
+                      dancers->bodies().end(),
+                      [](const motion::Skeleton& skeleton, const motion::DancingBody& body) {
+                          return skeleton == body.skeleton;
+                      });
 }
 
 // Whether those who are asked for know a dance.
 bool Formations::knows(DanceId dance) const noexcept {
     const std::optional<Dancers>& dancers = is_couple(asked_) ? couple_ : alone_;
-    return dancers->cast().members.front().repertoire->of(dance) != nullptr;
+    return dancers->bodies().front().repertoire->of(dance) != nullptr;
 }
 
 // Solves the dances on a thread of its own; pictures go on meanwhile.
@@ -91,8 +107,8 @@ void Formations::load_dancers_for(Formation formation) {
     Settings settings = settings_;
     settings.formation = name_of(formation);
     loading_for_ = formation;
-    loading_ = std::async(std::launch::async, [settings, catalogue = catalogue_, body = body_] {
-        return Dancers::load(settings, catalogue, body);
+    loading_ = std::async(std::launch::async, [settings, catalogue = catalogue_, bodies = bodies_] {
+        return Dancers::load(settings, catalogue, bodies);
     });
 }
 
@@ -119,12 +135,12 @@ Expected<void> Formations::take_loaded() {
         dancers.emplace(std::move(*loaded));
     } else if (is_waiting_ && is_couple(asked_) == is_couple(loading_for_)) {
         is_waiting_ = false;
-        // A body that cannot be danced with is not asked for again with the next picture.
+        // Bodies that cannot be danced with are not asked for again with the next picture.
         if (asked_ == danced_) {
             return fail("not solved for this avatar: " + loaded.error().message);
         }
-        // The formation after this one is asked for next; the body is still to be solved for.
-        body_ = cast_.skeleton;
+        // The formation after this one is asked for next; the bodies are still to be solved for.
+        bodies_ = danced_bodies_;
         return fail(fmt::format("formation {}: {}", name_of(loading_for_), loaded.error().message));
     }
     return {};
@@ -153,19 +169,16 @@ Expected<Formations::Change> Formations::poll(DanceId danced) {
     return Change::none;
 }
 
-// Forms the cast from the repertoires of the right kind: all formations of a kind share them. The
-// last member's is the follow's in a couple.
+// Forms the cast from the repertoires of the right kind: all formations of a kind share them.
 Formations::Change Formations::form() {
-    const Cast& found = dancers_for(asked_)->cast();
-    const Change change = asked_ == danced_ ? Change::body : Change::formation;
-    cast_.members = motion::members_of(asked_,
-                                       found.members.front().repertoire,
-                                       found.members.back().repertoire,
-                                       static_cast<std::uint64_t>(settings_.seed),
-                                       dynamics_of(settings_),
-                                       asked_dancers(settings_, asked_));
-    cast_.skeleton = found.skeleton;
+    const Change change = asked_ == danced_ ? Change::bodies : Change::formation;
+    cast_ = motion::members_of(asked_,
+                               dancers_for(asked_)->bodies(),
+                               static_cast<std::uint64_t>(settings_.seed),
+                               dynamics_of(settings_),
+                               asked_dancers(settings_, asked_));
     danced_ = asked_;
+    danced_bodies_ = bodies_;
     is_waiting_ = false;
     return change;
 }

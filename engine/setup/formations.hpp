@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/ensemble.hpp"
 
 namespace raks::engine {
 
-/// The dancers, in a formation and for a body that can be changed while a show runs. One of a
+/// The dancers, in a formation and for bodies that can be changed while a show runs. One of a
 /// couple dances otherwise than one alone: the first change to or from a couple solves those dances
-/// on a thread of its own, and so does a change of the body; any other change is ready at once.
+/// on a thread of its own, and so does a change of the bodies; any other change is ready at once.
 /// Threads: one owner.
 class Formations {
  public:
@@ -23,13 +23,14 @@ class Formations {
     enum class Change {
         none,
         formation,  ///< other dancers, who begin anew
-        body,       ///< the same dance for another body, which can be gone on with
+        bodies,     ///< the same dance for other bodies, which can be gone on with
     };
 
-    /// Starts with the settings' formation. Errors: those of Dancers::load.
+    /// Starts with the settings' formation. `bodies`: those that dancers have in turn, at least
+    /// one. Errors: those of Dancers::load.
     [[nodiscard]] static Expected<Formations> load(const Settings& settings,
                                                    const DanceCatalogue& catalogue,
-                                                   const motion::Skeleton& skeleton);
+                                                   const std::vector<motion::Skeleton>& bodies);
 
     /// Name of the formation that is danced, which may not yet be the one asked for.
     [[nodiscard]] std::string_view name() const noexcept;
@@ -38,12 +39,13 @@ class Formations {
 
     /// Asks for the formation that follows the one asked for last, cyclically; returns its name.
     std::string_view ask_for_next();
-    /// Asks for the same dances solved for another body, that stands as high as the one before
-    /// (render::dance_body). Until they are, the dance goes on as it is.
-    void ask_for_body(const motion::Skeleton& body);
+    /// Asks for the same dances solved for other bodies, which dancers have in turn, and which
+    /// stand as high as those before (render::dance_body). Until they are, the dance goes on as it
+    /// is.
+    void ask_for_bodies(const std::vector<motion::Skeleton>& bodies);
     /// Other than none once, when what was asked for is ready, in cast() and name(). `danced`: the
-    /// dance that is danced, if any, which a body does not leave before it is solved for the other
-    /// one. Errors: the dance has no figures for it (reported once; what was goes on).
+    /// dance that is danced, if any, which is not left before it is solved for the other bodies.
+    /// Errors: the dance has no figures for them (reported once; what was goes on).
     [[nodiscard]] Expected<Change> poll(DanceId danced = DanceId::none);
 
     /// Whether a thread solves what was asked for.
@@ -54,7 +56,10 @@ class Formations {
     [[nodiscard]] std::vector<std::string> wait();
 
  private:
-    Formations(Settings settings, DanceCatalogue catalogue, Dancers dancers);
+    Formations(Settings settings,
+               DanceCatalogue catalogue,
+               Dancers dancers,
+               std::vector<motion::Skeleton> bodies);
     [[nodiscard]] bool has_dancers_for(motion::Formation formation) const noexcept;
     [[nodiscard]] std::optional<Dancers>& dancers_for(motion::Formation formation) noexcept;
     [[nodiscard]] bool knows(DanceId dance) const noexcept;
@@ -68,9 +73,10 @@ class Formations {
     DanceCatalogue catalogue_;
     motion::Formation danced_;
     motion::Formation asked_;
-    bool is_waiting_ = false;  // for the formation or the body asked for
+    bool is_waiting_ = false;  // for the formation or the bodies asked for
     Cast cast_;
-    motion::Skeleton body_;  // asked for
+    std::vector<motion::Skeleton> bodies_;         // asked for
+    std::vector<motion::Skeleton> danced_bodies_;  // of the cast
     std::optional<Dancers> alone_;
     std::optional<Dancers> couple_;
     std::future<Expected<Dancers>> loading_;

@@ -16,6 +16,14 @@ float largest_of(const DancerBodies::Wardrobe& wardrobe) noexcept {
     return largest;
 }
 
+std::vector<motion::Skeleton> dance_bodies_of(const DancerBodies::Wardrobe& wardrobe) {
+    std::vector<motion::Skeleton> bodies;
+    for (const DancerBodies::Builds& builds : wardrobe) {
+        bodies.push_back(render::dance_body(*builds.front().avatar));
+    }
+    return bodies;
+}
+
 /// Two who have one place between them.
 bool is_couple(const DancedMoment& danced) noexcept {
     return danced.tracks.size() == 2 &&
@@ -30,6 +38,7 @@ glm::vec2 place_of(const DancedMoment& danced, std::size_t dancer) noexcept {
 
 DancerBodies::DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHabits habits)
     : wardrobe_(std::move(wardrobe)),
+      dance_bodies_(dance_bodies_of(wardrobe_)),
       size_(largest_of(wardrobe_)),
       made_for_(made_for),
       habits_(habits) {}
@@ -37,6 +46,7 @@ DancerBodies::DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHab
 DancerBodies::Wardrobe DancerBodies::wear(Wardrobe wardrobe) {
     // What springs and faces remember is of the avatar before.
     bodies_.clear();
+    dance_bodies_ = dance_bodies_of(wardrobe);
     size_ = largest_of(wardrobe);
     return std::exchange(wardrobe_, std::move(wardrobe));
 }

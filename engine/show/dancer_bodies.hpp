@@ -47,7 +47,7 @@ class DancerBodies {
     /// What dancers wear: dancer k has avatar k modulo their number. Not empty.
     using Wardrobe = std::vector<Builds>;
 
-    /// `made_for`: a body that stands as high as the one that the dance was solved for. `habits`:
+    /// `made_for`: a body that stands as high as those that dances are solved for. `habits`:
     /// of all faces.
     DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHabits habits = {});
 
@@ -65,6 +65,10 @@ class DancerBodies {
     /// The first dancer's.
     [[nodiscard]] const render::Avatar& avatar() const noexcept {
         return *wardrobe_.front().front().avatar;
+    }
+    /// The bodies that their dances should be solved for (render::dance_body), one an avatar.
+    [[nodiscard]] const std::vector<motion::Skeleton>& dance_bodies() const noexcept {
+        return dance_bodies_;
     }
     /// How large the largest is, against the mannequin's 1 (render::size_of).
     [[nodiscard]] float size() const noexcept { return size_; }
@@ -86,6 +90,7 @@ class DancerBodies {
               const render::Camera& camera);
 
     Wardrobe wardrobe_;
+    std::vector<motion::Skeleton> dance_bodies_;
     float size_;
     motion::Skeleton made_for_;
     FaceHabits habits_;

@@ -138,6 +138,14 @@ Expected<std::vector<LoadedAvatar>> load_avatars(const std::vector<std::string>&
     return avatars;
 }
 
+std::vector<motion::Skeleton> dance_bodies_of(const std::vector<LoadedAvatar>& avatars) {
+    std::vector<motion::Skeleton> bodies;
+    for (const LoadedAvatar& avatar : avatars) {
+        bodies.push_back(render::dance_body(*avatar.avatar));
+    }
+    return bodies;
+}
+
 Costumes costumes_of(const std::vector<LoadedAvatar>& avatars) {
     Costumes costumes;
     const auto index_of = [&costumes](const std::shared_ptr<const render::Avatar>& body) {

@@ -8,6 +8,7 @@
 
 #include "base/expected.hpp"
 #include "engine/show/avatar_model.hpp"
+#include "motion/skeleton/skeleton.hpp"
 
 namespace raks::render {
 struct Avatar;
@@ -51,6 +52,11 @@ struct LoadedAvatar {
 /// first of them that cannot be loaded. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::vector<LoadedAvatar>> load_avatars(
     const std::vector<std::string>& names, const AvatarOptions& options = {});
+
+/// The bodies that the dances of avatars that are loaded are solved for (render::dance_body), one
+/// an avatar.
+[[nodiscard]] std::vector<motion::Skeleton> dance_bodies_of(
+    const std::vector<LoadedAvatar>& avatars);
 
 /// The bodies of each avatar (DancerBodies::Builds), and of all of them those that differ. Made by
 /// workers, worn by dancers.

@@ -256,7 +256,7 @@ Expected<TrialResult> run_trial(const DanceTrial& trial,
     RecordDance record(cast.measured);
     driver->feed(music->mono(), record);
     driver->finish(record);
-    return result_of(trial, cast.cast.skeleton, record, *music, models);
+    return result_of(trial, cast.skeleton(), record, *music, models);
 }
 
 }  // namespace raks::engine

@@ -9,7 +9,7 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/expected.hpp"
 #include "engine/setup/analyzer_setup.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "motion/evaluate/dance_measures.hpp"
 #include "motion/evaluate/landing_error.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -75,6 +75,11 @@ struct TrialCast {
     AnalyzerModels models;     ///< of the analyzer
     Cast cast;                 ///< one or two members
     std::size_t measured = 0;  ///< index of the measured member
+
+    /// The body of the measured member.
+    [[nodiscard]] const motion::Skeleton& skeleton() const noexcept {
+        return cast[measured].body.skeleton;
+    }
 };
 
 /// Runs and measures one trial. `models`: the trained figures that the dance is measured against.

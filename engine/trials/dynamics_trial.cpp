@@ -203,7 +203,7 @@ Expected<DynamicsResult> run_dynamics_trial(const DanceInfo& dance,
                                             const TrialCast& cast,
                                             std::uint64_t seed,
                                             Knowledge knowledge) {
-    const motion::Skeleton& skeleton = cast.cast.skeleton;
+    const motion::Skeleton& skeleton = cast.skeleton();
     DynamicsResult result;
     const auto contrast = dance_piece(contrast_music(dance, seed), cast, knowledge);
     if (!contrast) {
@@ -281,7 +281,7 @@ Expected<LoudnessFollowing> loudness_following(std::span<const float> mono,
         average.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(360, average.size())),
         average.end());
     return LoudnessFollowing{
-        motion::loudness_correlation(speeds_of(*dance, cast.cast.skeleton), *loudness),
+        motion::loudness_correlation(speeds_of(*dance, cast.skeleton()), *loudness),
         percentile(rest, 0.95) - percentile(rest, 0.05)};
 }
 

@@ -65,6 +65,7 @@ glm::vec3 direction(const glm::vec3& vector, const glm::vec3& otherwise) noexcep
 /// One hand of one of the two, and what it is to hold.
 struct CoupleGrips::Hand {
     Pose* pose = nullptr;
+    const Body* body = nullptr;
     Side side = Side::left;
     Limb arm;
     glm::vec3 palm{};     // as danced
@@ -76,8 +77,9 @@ struct CoupleGrips::Hand {
     float clasps = 0.0F;  // of it, of palms
 
     Hand() = default;
-    Hand(Pose& of, const WorldPose& world, Side on)
+    Hand(Pose& of, const Body& its_body, const WorldPose& world, Side on)
         : pose(&of),
+          body(&its_body),
           side(on),
           arm(arm_of(world, on)),
           palm(palm_of(world, on)),
@@ -99,12 +101,26 @@ struct CoupleGrips::Couple {
     const WorldPose& follow_world;
 };
 
-CoupleGrips::CoupleGrips(const Skeleton& skeleton) : skeleton_(skeleton) {
+namespace {
+
+/// Standing; metres.
+float shoulder_height_of(const Skeleton& skeleton) noexcept {
     const WorldPose standing = world_pose(skeleton, Pose());
-    shoulder_height_ = skeleton.hips_height() + standing.position(Bone::left_upper_arm).y -
-                       standing.position(Bone::hips).y;
-    arm_length_ = glm::length(skeleton.offsets[index_of(Bone::left_lower_arm)]) +
-                  glm::length(skeleton.offsets[index_of(Bone::left_hand)]);
+    return skeleton.hips_height() + standing.position(Bone::left_upper_arm).y -
+           standing.position(Bone::hips).y;
+}
+
+}  // namespace
+
+CoupleGrips::Body::Body(const Skeleton& of)
+    : skeleton(of),
+      arm_length(glm::length(of.offsets[index_of(Bone::left_lower_arm)]) +
+                 glm::length(of.offsets[index_of(Bone::left_hand)])) {}
+
+CoupleGrips::CoupleGrips(const Skeleton& lead, const Skeleton& follow)
+    : lead_(lead),
+      follow_(follow),
+      shoulder_height_(0.5F * (shoulder_height_of(lead) + shoulder_height_of(follow))) {
     for (const Side side : kSides) {
         set_hand_shape(side, 0.5, clasp_);
         set_hand_shape(side, 0.12, rest_);
@@ -126,26 +142,28 @@ float before(const WorldPose& world, const glm::vec3& point) noexcept {
 
 GripWeights CoupleGrips::comfort(const WorldPose& lead,
                                  const WorldPose& follow) const noexcept RAKS_NONBLOCKING {
+    const float arms = lead_.arm_length + follow_.arm_length;
     GripWeights comfort{};
     for (const Side own : kSides) {
         for (const Side other : kSides) {
             const glm::vec3& a = lead.position(on_side(Bone::left_upper_arm, own));
             const glm::vec3& b = follow.position(on_side(Bone::left_upper_arm, other));
             const glm::vec3 middle = 0.5F * (palm_of(lead, own) + palm_of(follow, other));
-            const float apart = glm::distance(a, b) / (2.0F * arm_length_);
-            const auto clear_of = [&](const glm::vec3& shoulder) {
-                return smootherstep(
-                    kAtShoulder, kClearOfShoulder, glm::distance(middle, shoulder) / arm_length_);
+            const float apart = glm::distance(a, b) / arms;
+            const auto clear_of = [&](const glm::vec3& shoulder, const Body& body) {
+                return smootherstep(kAtShoulder,
+                                    kClearOfShoulder,
+                                    glm::distance(middle, shoulder) / body.arm_length);
             };
             comfort[index_of(palms(own, other))] =
-                (1.0F - smootherstep(kReached, kStretched, apart)) * clear_of(a) * clear_of(b) *
-                before(lead, middle) * before(follow, middle);
+                (1.0F - smootherstep(kReached, kStretched, apart)) * clear_of(a, lead_) *
+                clear_of(b, follow_) * before(lead, middle) * before(follow, middle);
         }
     }
     const float chests =
         glm::distance(lead.position(Bone::upper_chest), follow.position(Bone::upper_chest));
     comfort[index_of(Grip::back)] = comfort[index_of(Grip::arm)] =
-        1.0F - smootherstep(1.2F * arm_length_, 1.7F * arm_length_, chests);
+        1.0F - smootherstep(0.6F * arms, 0.85F * arms, chests);
     return comfort;
 }
 
@@ -176,7 +194,8 @@ void CoupleGrips::reach(Hand& hand) const noexcept {
     const glm::vec3 target = hand.target / hand.weight;
     const glm::vec3 normal = direction(hand.normal, kUp);
     const glm::vec3 middle =
-        0.5F * skeleton_.offsets[index_of(on_side(Bone::left_middle_proximal, hand.side))];
+        0.5F *
+        hand.body->skeleton.offsets[index_of(on_side(Bone::left_middle_proximal, hand.side))];
     for (int round = 0; round < kReachRounds; ++round) {
         const glm::quat upper = hand.arm.parent * pose.rotation(hand.arm.upper);
         const glm::quat lower = upper * pose.rotation(hand.arm.lower);
@@ -189,8 +208,8 @@ void CoupleGrips::reach(Hand& hand) const noexcept {
             glm::normalize(glm::conjugate(lower) * glm::angleAxis(angle, turn / angle) * wrist);
         const glm::vec3 from_wrist = lower * pose.rotation(hand.arm.end) * middle;
         // The limit is mixed in with the share, too: an arm that begins to hold must not leap.
-        const glm::vec3 held = within_reach(hand.arm, arm_length_, target - from_wrist);
-        solve_limb(skeleton_, hand.arm, glm::mix(hand.wrist, held, share), pose);
+        const glm::vec3 held = within_reach(hand.arm, hand.body->arm_length, target - from_wrist);
+        solve_limb(hand.body->skeleton, hand.arm, glm::mix(hand.wrist, held, share), pose);
     }
     const float clasp = hand.clasps / hand.weight;
     // A hand's bones follow it in a row.
@@ -226,10 +245,12 @@ void CoupleGrips::hold(const GripWeights& weights,
     if (std::all_of(weights.begin(), weights.end(), [](float one) { return one <= 0.0F; })) {
         return;
     }
-    Couple couple{{Hand(lead, lead_world, Side::left), Hand(lead, lead_world, Side::right)},
-                  {Hand(follow, follow_world, Side::left), Hand(follow, follow_world, Side::right)},
-                  lead_world,
-                  follow_world};
+    Couple couple{
+        {Hand(lead, lead_, lead_world, Side::left), Hand(lead, lead_, lead_world, Side::right)},
+        {Hand(follow, follow_, follow_world, Side::left),
+         Hand(follow, follow_, follow_world, Side::right)},
+        lead_world,
+        follow_world};
     for (Hand& own : couple.lead) {
         for (Hand& other : couple.follow) {
             const Grip grip = palms(own.side, other.side);
@@ -240,8 +261,8 @@ void CoupleGrips::hold(const GripWeights& weights,
             const bool is_frame = is_closed && grip == Grip::left_right;
             glm::vec3 meeting = is_frame ? frame_point(couple) : 0.5F * (own.palm + other.palm);
             for (int round = 0; round < kMeetingRounds && !is_frame; ++round) {
-                meeting = within_reach(own.arm, arm_length_, meeting);
-                meeting = within_reach(other.arm, arm_length_, meeting);
+                meeting = within_reach(own.arm, lead_.arm_length, meeting);
+                meeting = within_reach(other.arm, follow_.arm_length, meeting);
             }
             // His palm is offered from below, hers lies on it; in the frame they face each other.
             const glm::vec3 across = direction(other.arm.root - own.arm.root, kForward);
@@ -261,7 +282,7 @@ void CoupleGrips::hold(const GripWeights& weights,
     }
     // His arm is where hers lies on it only now.
     const glm::quat upper = his.arm.parent * lead.rotation(his.arm.upper);
-    const glm::vec3 bone = upper * skeleton_.offsets[index_of(his.arm.lower)];
+    const glm::vec3 bone = upper * lead_.skeleton.offsets[index_of(his.arm.lower)];
     const glm::vec3 along = direction(bone, kForward);
     const glm::vec3 out = lead_world.rotation(Bone::upper_chest) * glm::vec3(-0.7F, 0.7F, 0.0F);
     const glm::vec3 off = direction(out - along * glm::dot(out, along), kUp);

@@ -44,8 +44,8 @@ using GripWeights = std::array<float, kGrips>;
 /// Threads: any, once it is made. Real-time: yes (some 6 microseconds for two poses).
 class CoupleGrips {
  public:
-    /// Of two bodies with this skeleton.
-    explicit CoupleGrips(const Skeleton& skeleton);
+    /// Of two bodies.
+    CoupleGrips(const Skeleton& lead, const Skeleton& follow);
 
     /// How comfortably each grip can be held in these poses, [0, 1]: less where the arms would be
     /// stretched, sweep round a shoulder, or reach behind their owner's back.
@@ -62,16 +62,23 @@ class CoupleGrips {
               Pose& follow) const noexcept RAKS_NONBLOCKING;
 
  private:
+    /// A body, as far as its arms need to know.
+    struct Body {
+        Skeleton skeleton;
+        float arm_length = 0.0F;  // shoulder to wrist
+
+        explicit Body(const Skeleton& of);
+    };
     struct Hand;
     struct Couple;
     void reach(Hand& hand) const noexcept;
     [[nodiscard]] glm::vec3 frame_point(const Couple& couple) const noexcept;
 
-    Skeleton skeleton_;
-    float shoulder_height_ = 0.0F;  // standing; metres
-    float arm_length_ = 0.0F;       // shoulder to wrist
-    Pose clasp_;                    // fingers round another hand
-    Pose rest_;                     // a hand that lies on the partner
+    Body lead_;
+    Body follow_;
+    float shoulder_height_;  // standing, mean of both; metres
+    Pose clasp_;             // fingers round another hand
+    Pose rest_;              // a hand that lies on the partner
 };
 
 /// Turns heads and necks towards the partner by the share `look`, as far as necks turn; not towards

@@ -30,8 +30,8 @@ struct HoldMoment {
 class HandHold {
  public:
     HandHold() = default;
-    /// Of two bodies with this skeleton. Real-time: no.
-    void prepare(const Skeleton& skeleton);
+    /// Of two bodies. Real-time: no.
+    void prepare(const Skeleton& lead, const Skeleton& follow);
     /// Lets go of everything.
     void reset() noexcept RAKS_NONBLOCKING;
     /// Goes on with the grips of another couple.
@@ -50,8 +50,9 @@ class HandHold {
     static constexpr std::size_t kOrder = 4;
     using Stages = std::array<GripWeights, kOrder>;
 
-    CoupleGrips grips_{mannequin_skeleton()};
-    Skeleton skeleton_;
+    CoupleGrips grips_{mannequin_skeleton(), mannequin_skeleton()};
+    Skeleton lead_;
+    Skeleton follow_;
     Stages stages_{};    // of the filter, at newest_
     float look_ = 0.0F;  // likewise: how much they look at one another
     bool is_closed_ = false;

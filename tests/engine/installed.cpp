@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include "engine/setup/dance_cache.hpp"
+#include "engine/setup/dance_files.hpp"
+
 namespace raks::engine::installed {
 namespace {
 

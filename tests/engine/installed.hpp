@@ -5,7 +5,7 @@
 
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "motion/dance_library.hpp"
 #include "motion/skeleton/skeleton.hpp"
 

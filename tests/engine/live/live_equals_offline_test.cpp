@@ -20,7 +20,7 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/offline/song_planner.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
 #include "tests/support/temporary_folder.hpp"

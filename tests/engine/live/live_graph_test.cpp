@@ -40,8 +40,7 @@ class GraphOnItsOwnClock : public ::testing::Test {
         graph_ = std::move(*graph);
     }
     [[nodiscard]] Cast cast(motion::Formation formation) const {
-        return {motion::members_of(formation, repertoire_, repertoire_, 1),
-                motion::mannequin_skeleton()};
+        return motion::members_of(formation, {{motion::mannequin_skeleton(), repertoire_}}, 1);
     }
     static void wait_until(const std::function<bool()>& is_so) {
         while (!is_so()) {

@@ -52,7 +52,7 @@ TEST(MotionStage, shows_how_the_dancer_stands_before_the_music_begins) {
     const auto channel = std::make_unique<StageChannel>();
     motion::Ensemble dancers;
     const Cast cast = installed::solo("salsa");
-    ASSERT_TRUE(dancers.prepare(cast.members, cast.skeleton));
+    ASSERT_TRUE(dancers.prepare(cast));
     MotionStage motion(std::move(dancers), {states, {channel.get()}});
     const motion::Pose before = channel->read().track().at(StreamTime{});
     ASSERT_TRUE(states.push(state_of(0)));
@@ -130,8 +130,8 @@ class ReplacedDancers : public ::testing::Test {
     static motion::Ensemble ensemble(motion::Formation formation) {
         static const auto repertoire = motion::Repertoire::of_one(installed::library_of("salsa"));
         motion::Ensemble result;
-        EXPECT_TRUE(result.prepare(motion::members_of(formation, repertoire, repertoire, 1),
-                                   motion::mannequin_skeleton()));
+        EXPECT_TRUE(result.prepare(
+            motion::members_of(formation, {{motion::mannequin_skeleton(), repertoire}}, 1)));
         return result;
     }
     void dance(HopIndex hops) {

@@ -17,7 +17,7 @@
 #include "engine/live/analysis_stage.hpp"
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/settings.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/extent.hpp"
@@ -305,7 +305,7 @@ struct DancedForm {
 /// Dances to all states.
 void dance_to_the_minute(const Cast& cast, GuardedTicks& ticks) {
     motion::Ensemble ensemble;
-    ASSERT_TRUE(ensemble.prepare(cast.members, cast.skeleton));
+    ASSERT_TRUE(ensemble.prepare(cast));
     EventQueue<MusicState> states(8);
     MotionStage motion(std::move(ensemble), {states, {&ticks.reader()}});
     const std::vector<MusicState>& all = states_of_a_minute();
@@ -324,7 +324,7 @@ bool dance_guarded(const DancedForm& form) {
     settings.dance = form.dance;
     settings.formation = form.formation;
     settings.figures = form.figures;
-    auto dancers = Dancers::load(settings, installed::dances(), motion::mannequin_skeleton());
+    auto dancers = Dancers::load(settings, installed::dances(), {motion::mannequin_skeleton()});
     if (!dancers) {
         return false;
     }

@@ -10,7 +10,7 @@
 
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/offline/offline_driver.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/settings.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/dances.hpp"
@@ -70,7 +70,7 @@ class MusicScenes : public ::testing::TestWithParam<std::string> {
         settings.dance = "auto";
         settings.fallback_dance = "keep";
         settings.figures = figures;
-        auto dancers = Dancers::load(settings, installed::dances(), motion::mannequin_skeleton());
+        auto dancers = Dancers::load(settings, installed::dances(), {motion::mannequin_skeleton()});
         EXPECT_TRUE(dancers) << dancers.error().message;
         EXPECT_TRUE(dancers->wait().empty());
         auto driver = OfflineDriver::create(kRate, installed::models(), dancers->cast());

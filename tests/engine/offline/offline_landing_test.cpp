@@ -11,7 +11,7 @@
 
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/offline/offline_driver.hpp"
-#include "engine/setup/dance_files.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/landing_error.hpp"

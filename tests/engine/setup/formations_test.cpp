@@ -15,7 +15,8 @@ Formations formations_of(const std::string& dance, const std::string& formation)
     Settings settings;
     settings.dance = dance;
     settings.formation = formation;
-    auto formations = Formations::load(settings, installed::dances(), motion::mannequin_skeleton());
+    auto formations =
+        Formations::load(settings, installed::dances(), {motion::mannequin_skeleton()});
     EXPECT_TRUE(formations) << formations.error().message;
     return std::move(*formations);
 }
@@ -37,7 +38,7 @@ std::string error_when_there(Formations& formations) {
 TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
     Formations formations = formations_of("salsa", "solo");
     EXPECT_EQ(formations.name(), "solo");
-    EXPECT_EQ(formations.cast().members.size(), 1U);
+    EXPECT_EQ(formations.cast().size(), 1U);
     EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "nobody asked";
     struct Case {
         const char* name;
@@ -55,8 +56,8 @@ TEST(Formations, begin_with_the_one_of_the_settings_and_go_round) {
         EXPECT_EQ(formations.ask_for_next(), next.name);
         EXPECT_EQ(error_when_there(formations), "") << next.name;
         EXPECT_EQ(formations.name(), next.name);
-        EXPECT_EQ(formations.cast().members.size(), next.members) << next.name;
-        EXPECT_EQ(formations.cast().members.front().part.is_in_couple, next.members == 2U);
+        EXPECT_EQ(formations.cast().size(), next.members) << next.name;
+        EXPECT_EQ(formations.cast().front().part.is_in_couple, next.members == 2U);
         EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "told once";
     }
     EXPECT_TRUE(formations.wait().empty());
@@ -66,14 +67,14 @@ TEST(Formations, of_as_many_dancers_as_are_asked_for_go_round) {
     Settings settings;
     settings.dance = "salsa";
     settings.dancers = 8;
-    auto loaded = Formations::load(settings, installed::dances(), motion::mannequin_skeleton());
+    auto loaded = Formations::load(settings, installed::dances(), {motion::mannequin_skeleton()});
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_EQ(loaded->name(), "grid");
-    EXPECT_EQ(loaded->cast().members.size(), 8U);
+    EXPECT_EQ(loaded->cast().size(), 8U);
     loaded->ask_for_next();
     EXPECT_EQ(error_when_there(*loaded), "");
     EXPECT_EQ(loaded->name(), "ring");
-    EXPECT_EQ(loaded->cast().members.size(), 8U);
+    EXPECT_EQ(loaded->cast().size(), 8U);
 }
 
 TEST(Formations, without_couples_are_there_at_once) {
@@ -100,7 +101,7 @@ TEST(Formations, that_a_dance_has_not_are_told_once_and_the_dancers_stay) {
               "formation couple: belly is danced alone; a couple dances salsa, house, hiphop, "
               "rock, waltz");
     EXPECT_EQ(formations.name(), "solo");
-    EXPECT_EQ(formations.cast().members.size(), 1U);
+    EXPECT_EQ(formations.cast().size(), 1U);
     EXPECT_EQ(formations.poll().value(), Formations::Change::none);
     EXPECT_EQ(formations.ask_for_next(), "unison");
     EXPECT_EQ(formations.poll().value(), Formations::Change::formation);
@@ -110,30 +111,63 @@ TEST(Formations, are_solved_for_another_body_while_the_dance_goes_on) {
     Formations formations = formations_of("salsa", "unison");
     motion::Skeleton body = motion::mannequin_skeleton();
     body.girth.trunk = 0.12F;
-    formations.ask_for_body(body);
-    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
+    formations.ask_for_bodies({body});
+    EXPECT_EQ(formations.cast().front().body.skeleton, motion::mannequin_skeleton());
     EXPECT_EQ(error_when_there(formations), "");
     EXPECT_EQ(formations.name(), "unison");
-    EXPECT_EQ(formations.cast().skeleton, body);
+    EXPECT_EQ(formations.cast().front().body.skeleton, body);
     EXPECT_EQ(formations.poll().value(), Formations::Change::none) << "told once";
     EXPECT_EQ(formations.ask_for_next(), "canon");
     EXPECT_EQ(formations.poll().value(), Formations::Change::formation) << "they share the dances";
-    EXPECT_EQ(formations.cast().skeleton, body);
+    EXPECT_EQ(formations.cast().front().body.skeleton, body);
+}
+
+TEST(Formations, are_solved_for_each_of_several_bodies_once) {
+    Formations formations = formations_of("auto", "unison");
+    const motion::Skeleton& own = motion::mannequin_skeleton();
+    motion::Skeleton other = own;
+    other.girth.trunk = 0.12F;
+    formations.ask_for_bodies({own, other});
+    EXPECT_EQ(error_when_there(formations), "");
+    const Cast cast = formations.cast();
+    ASSERT_EQ(cast.size(), 3U);
+    EXPECT_EQ(cast[0].body.skeleton, own);
+    EXPECT_EQ(cast[1].body.skeleton, other);
+    EXPECT_EQ(cast[2].body.skeleton, own);
+    EXPECT_EQ(cast[0].body.repertoire, cast[2].body.repertoire);
+    EXPECT_NE(cast[0].body.repertoire, cast[1].body.repertoire);
+    EXPECT_TRUE(formations.wait().empty());
+    for (std::size_t i = 0; i < installed::dances().list()->size(); ++i) {
+        EXPECT_NE(cast[1].body.repertoire->of(static_cast<DanceId>(i)), nullptr) << i;
+    }
+}
+
+TEST(Formations, of_a_couple_have_the_first_two_of_several_bodies) {
+    Formations formations = formations_of("salsa", "couple");
+    const motion::Skeleton& own = motion::mannequin_skeleton();
+    motion::Skeleton other = own;
+    motion::Skeleton third = own;
+    other.girth.trunk = 0.12F;
+    third.girth.trunk = 0.13F;
+    formations.ask_for_bodies({own, other, third});
+    EXPECT_EQ(error_when_there(formations), "");
+    ASSERT_EQ(formations.cast().size(), 2U);
+    EXPECT_EQ(formations.cast()[0].body.skeleton, own);
+    EXPECT_EQ(formations.cast()[1].body.skeleton, other);
 }
 
 TEST(Formations, go_back_to_a_body_with_all_their_dances) {
     Formations formations = formations_of("auto", "solo");
     motion::Skeleton body = motion::mannequin_skeleton();
     body.girth.trunk = 0.12F;
-    formations.ask_for_body(body);
-    formations.ask_for_body(motion::mannequin_skeleton());
+    formations.ask_for_bodies({body});
+    formations.ask_for_bodies({motion::mannequin_skeleton()});
     EXPECT_EQ(error_when_there(formations), "");
-    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
+    EXPECT_EQ(formations.cast().front().body.skeleton, motion::mannequin_skeleton());
     EXPECT_TRUE(formations.wait().empty());
     const auto& dances = *installed::dances().list();
     for (std::size_t i = 0; i < dances.size(); ++i) {
-        EXPECT_NE(formations.cast().members.front().repertoire->of(static_cast<DanceId>(i)),
-                  nullptr)
+        EXPECT_NE(formations.cast().front().body.repertoire->of(static_cast<DanceId>(i)), nullptr)
             << i;
     }
 }
@@ -142,24 +176,24 @@ TEST(Formations, of_another_kind_are_solved_for_the_body_that_was_asked_for) {
     Formations formations = formations_of("salsa", "solo");
     motion::Skeleton body = motion::mannequin_skeleton();
     body.girth.trunk = 0.12F;
-    formations.ask_for_body(body);
+    formations.ask_for_bodies({body});
     EXPECT_EQ(formations.ask_for_next(), "couple");
     EXPECT_EQ(error_when_there(formations), "");
     EXPECT_EQ(formations.name(), "couple");
-    EXPECT_EQ(formations.cast().skeleton, body);
+    EXPECT_EQ(formations.cast().front().body.skeleton, body);
 }
 
 TEST(Formations, go_on_as_they_are_where_the_dance_that_is_danced_is_not_solved_for_a_body) {
     Formations formations = formations_of("salsa", "solo");
     motion::Skeleton body = motion::mannequin_skeleton();
     body.girth.trunk = 0.12F;
-    formations.ask_for_body(body);
+    formations.ask_for_bodies({body});
     const DanceId other = installed::dances().list()->id_of("belly");
     while (formations.poll(other).value() == Formations::Change::none && formations.is_loading()) {
         std::this_thread::yield();
     }
-    EXPECT_EQ(formations.cast().skeleton, motion::mannequin_skeleton());
-    EXPECT_EQ(formations.poll().value(), Formations::Change::body);
+    EXPECT_EQ(formations.cast().front().body.skeleton, motion::mannequin_skeleton());
+    EXPECT_EQ(formations.poll().value(), Formations::Change::bodies);
 }
 
 }  // namespace

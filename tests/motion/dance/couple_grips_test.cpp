@@ -46,7 +46,7 @@ struct Two {
 
 /// The couple with these weights held.
 Two held(Two two, const GripWeights& weights, bool is_closed) {
-    const CoupleGrips grips(mannequin_skeleton());
+    const CoupleGrips grips(mannequin_skeleton(), mannequin_skeleton());
     const WorldPose lead = world_pose(mannequin_skeleton(), two.lead);
     const WorldPose follow = world_pose(mannequin_skeleton(), two.follow);
     grips.hold(weights, is_closed, lead, follow, two.lead, two.follow);
@@ -81,6 +81,35 @@ TEST(CoupleGrips, palms_that_are_held_meet) {
                     EXPECT_GT(reach_of(two.lead, lead), 0.42F);
                 }
             }
+        }
+    }
+}
+
+TEST(CoupleGrips, palms_meet_between_arms_of_unlike_length) {
+    const Skeleton& tall = mannequin_skeleton();
+    Skeleton small = tall;
+    for (const Side side : kSides) {
+        small.offsets[index_of(on_side(Bone::left_lower_arm, side))] *= 0.75F;
+        small.offsets[index_of(on_side(Bone::left_hand, side))] *= 0.75F;
+    }
+    for (const bool leads_tall : {true, false}) {
+        const Skeleton& lead = leads_tall ? tall : small;
+        const Skeleton& follow = leads_tall ? small : tall;
+        const CoupleGrips grips(lead, follow);
+        for (const float ahead : {0.5F, 0.65F, 0.75F}) {
+            Two two = couple(0.0F, ahead);
+            const WorldPose lead_world = world_pose(lead, two.lead);
+            const WorldPose follow_world = world_pose(follow, two.follow);
+            grips.hold(only(Grip::left_right, 1.0F),
+                       false,
+                       lead_world,
+                       follow_world,
+                       two.lead,
+                       two.follow);
+            EXPECT_LT(glm::distance(palm_of(world_pose(lead, two.lead), Side::left),
+                                    palm_of(world_pose(follow, two.follow), Side::right)),
+                      0.04F)
+                << leads_tall << " " << ahead;
         }
     }
 }
@@ -141,7 +170,7 @@ TEST(CoupleGrips, the_closed_frame_is_at_the_height_of_the_shoulders_and_steadie
 }
 
 TEST(CoupleGrips, are_comfortable_before_one_another_and_not_behind_or_far_apart) {
-    const CoupleGrips grips(mannequin_skeleton());
+    const CoupleGrips grips(mannequin_skeleton(), mannequin_skeleton());
     const auto comfort = [&](const Two& two) {
         return grips.comfort(
             world_pose(mannequin_skeleton(), two.lead),

@@ -15,6 +15,7 @@
 namespace raks::motion {
 namespace {
 
+using test::are_same;
 using test::basic_step;
 using test::dance_to;
 using test::largest_step;
@@ -25,15 +26,6 @@ using test::steady_music;
 using test::sure_state;
 
 // No joint of a salsa dancer is faster than 10 m/s.
-
-bool are_same(const Pose& a, const Pose& b) {
-    for (std::size_t i = 0; i < a.local_rotations.size(); ++i) {
-        if (a.local_rotations[i] != b.local_rotations[i]) {
-            return false;
-        }
-    }
-    return a.hips_position == b.hips_position;
-}
 
 Music silence_between(double bpm, HopIndex from, HopIndex to) {
     return [=](HopIndex hop) {

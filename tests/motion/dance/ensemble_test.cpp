@@ -24,13 +24,17 @@ constexpr double kBpm = 171.0;
 
 std::vector<EnsembleMember> salsa(Formation formation, std::size_t dancers = 0) {
     if (formation == Formation::couple) {
-        return members_of(formation,
-                          Repertoire::of_one(test::couple_library(DanceRole::lead)),
-                          Repertoire::of_one(test::couple_library(DanceRole::follow)),
-                          3);
+        return members_of(
+            formation,
+            {{mannequin_skeleton(), Repertoire::of_one(test::couple_library(DanceRole::lead))},
+             {mannequin_skeleton(), Repertoire::of_one(test::couple_library(DanceRole::follow))}},
+            3);
     }
-    return members_of(
-        formation, Repertoire::of_one(test::salsa_library()), nullptr, 3, Dynamics::on, dancers);
+    return members_of(formation,
+                      {{mannequin_skeleton(), Repertoire::of_one(test::salsa_library())}},
+                      3,
+                      Dynamics::on,
+                      dancers);
 }
 
 using Tracks = std::array<PoseTrack, Ensemble::kMost>;
@@ -40,7 +44,7 @@ std::array<std::vector<Pose>, Ensemble::kMost> dance(Formation formation,
                                                      HopIndex hops,
                                                      bool is_locked = false) {
     Ensemble ensemble;
-    EXPECT_TRUE(ensemble.prepare(salsa(formation), mannequin_skeleton()));
+    EXPECT_TRUE(ensemble.prepare(salsa(formation)));
     if (is_locked) {
         ensemble.command({DancerCommand::Kind::lock_figure, StreamTime{}, 1.0});
     }
@@ -145,7 +149,7 @@ TEST(Ensemble, a_crowd_keeps_apart_while_it_dances) {
     constexpr std::size_t kCrowd = 12;
     for (const Formation formation : {Formation::free, Formation::grid}) {
         Ensemble ensemble;
-        ASSERT_TRUE(ensemble.prepare(salsa(formation, kCrowd), mannequin_skeleton()));
+        ASSERT_TRUE(ensemble.prepare(salsa(formation, kCrowd)));
         ASSERT_EQ(ensemble.size(), kCrowd);
         ASSERT_EQ(ensemble.places().size(), kCrowd);
         std::vector<PoseTrack> tracks(kCrowd);
@@ -166,17 +170,16 @@ TEST(Ensemble, a_crowd_keeps_apart_while_it_dances) {
 
 TEST(Ensemble, refuses_nobody_too_many_and_half_a_couple) {
     Ensemble ensemble;
-    EXPECT_FALSE(ensemble.prepare({}, mannequin_skeleton()));
+    EXPECT_FALSE(ensemble.prepare({}));
     const EnsembleMember one = salsa(Formation::solo).front();
-    EXPECT_FALSE(ensemble.prepare(std::vector<EnsembleMember>(Ensemble::kMost + 1, one),
-                                  mannequin_skeleton()));
-    EXPECT_FALSE(ensemble.prepare(members_of(Formation::couple, one.repertoire, nullptr, 1),
-                                  mannequin_skeleton()));
+    EXPECT_FALSE(ensemble.prepare(std::vector<EnsembleMember>(Ensemble::kMost + 1, one)));
+    EXPECT_FALSE(ensemble.prepare(
+        members_of(Formation::couple, {one.body, {mannequin_skeleton(), nullptr}}, 1)));
 }
 
 TEST(Ensemble, keeps_the_real_time_rules) {
     Ensemble ensemble;
-    ASSERT_TRUE(ensemble.prepare(salsa(Formation::couple), mannequin_skeleton()));
+    ASSERT_TRUE(ensemble.prepare(salsa(Formation::couple)));
     const auto tracks = std::make_unique<Tracks>();
     raks::test::RealtimeScope scope;
     for (HopIndex hop = 0; hop < 3000; ++hop) {

@@ -134,13 +134,38 @@ TEST(GoingOn, with_a_dance_that_is_not_known_is_to_stand_there_softly) {
     EXPECT_LT(test::largest_step(poses, kGoesOnAt - 1, kGoesOnAt + 40), test::kFastestStep);
 }
 
+TEST(GoingOn, dancers_of_several_bodies_dance_as_each_body_would) {
+    const DancingBody own{mannequin_skeleton(), one_figure_on(mannequin_skeleton())};
+    const DancingBody other{other_body(), one_figure_on(other_body())};
+    const auto dance = [](const std::vector<DancingBody>& bodies) {
+        Ensemble ensemble;
+        EXPECT_TRUE(ensemble.prepare(members_of(Formation::unison, bodies, 1)));
+        std::vector<PoseTrack> tracks(ensemble.size());
+        for (HopIndex hop = 0; hop < 700; ++hop) {
+            ensemble.advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), tracks);
+        }
+        return tracks;
+    };
+    const auto mixed = dance({own, other});
+    const auto all_own = dance({own});
+    const auto all_other = dance({other});
+    ASSERT_EQ(mixed.size(), 3U);
+    for (HopIndex hop = mixed[0].oldest_final(); hop <= mixed[0].newest(); ++hop) {
+        EXPECT_TRUE(test::are_same(mixed[0].at_hop(hop), all_own[0].at_hop(hop)));
+        EXPECT_TRUE(test::are_same(mixed[1].at_hop(hop), all_other[1].at_hop(hop)));
+        EXPECT_TRUE(test::are_same(mixed[2].at_hop(hop), all_own[2].at_hop(hop)));
+        EXPECT_FALSE(test::are_same(mixed[1].at_hop(hop), all_own[1].at_hop(hop)))
+            << "bodies differ";
+    }
+}
+
 TEST(GoingOn, allocates_nothing) {
     Ensemble before;
     Ensemble after;
     const auto own = one_figure_on(mannequin_skeleton());
     const auto other = one_figure_on(other_body());
-    ASSERT_TRUE(before.prepare(members_of(Formation::unison, own, own, 1), mannequin_skeleton()));
-    ASSERT_TRUE(after.prepare(members_of(Formation::unison, other, other, 1), other_body()));
+    ASSERT_TRUE(before.prepare(members_of(Formation::unison, {{mannequin_skeleton(), own}}, 1)));
+    ASSERT_TRUE(after.prepare(members_of(Formation::unison, {{other_body(), other}}, 1)));
     std::vector<PoseTrack> tracks(before.size());
     for (HopIndex hop = 0; hop < 300; ++hop) {
         before.advance(test::sure_state(hop, test::steady_grid(kGoingOnBpm)), tracks);

@@ -40,7 +40,7 @@ struct Shown {
 Shown danced(HopIndex hops, HopIndex torn) {
     const std::vector<HeldHands> holds = {{Side::left, Side::right, 1.0, 4.0}};
     HandHold hold;
-    hold.prepare(mannequin_skeleton());
+    hold.prepare(mannequin_skeleton(), mannequin_skeleton());
     const auto lead = std::make_unique<PoseTrack>();
     const auto follow = std::make_unique<PoseTrack>();
     const auto partner_at = [&](HopIndex hop) {
@@ -90,7 +90,7 @@ TEST(HandHold, is_without_a_jerk_even_where_they_are_torn_apart) {
 
 TEST(HandHold, lets_go_where_they_stand) {
     HandHold hold;
-    hold.prepare(mannequin_skeleton());
+    hold.prepare(mannequin_skeleton(), mannequin_skeleton());
     const auto lead = std::make_unique<PoseTrack>();
     const auto follow = std::make_unique<PoseTrack>();
     for (HopIndex hop = 0; hop < 300; ++hop) {

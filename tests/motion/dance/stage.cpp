@@ -171,4 +171,13 @@ double largest_step(const std::vector<Pose>& poses, HopIndex from, HopIndex to) 
     return largest;
 }
 
+bool are_same(const Pose& a, const Pose& b) {
+    for (std::size_t i = 0; i < a.local_rotations.size(); ++i) {
+        if (a.local_rotations[i] != b.local_rotations[i]) {
+            return false;
+        }
+    }
+    return a.hips_position == b.hips_position;
+}
+
 }  // namespace raks::motion::test

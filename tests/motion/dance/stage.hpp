@@ -55,4 +55,7 @@ inline constexpr double kFastestStep = 0.10;
 /// Largest distance in metres that any joint moves between two poses one hop apart.
 double largest_step(const std::vector<Pose>& poses, HopIndex from, HopIndex to);
 
+/// Whether two poses are the same, bit for bit.
+bool are_same(const Pose& a, const Pose& b);
+
 }  // namespace raks::motion::test

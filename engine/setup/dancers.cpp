@@ -1,0 +1,191 @@
+#include "engine/setup/dancers.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "engine/setup/asked_formation.hpp"
+#include "engine/setup/dance_files.hpp"
+#include "motion/repertoire.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::engine {
+namespace {
+
+using motion::DanceRole;
+using motion::Formation;
+using motion::Repertoire;
+
+// One part of the dances, solved for one body.
+struct SolvedPart {
+    motion::Skeleton skeleton;
+    DanceRole role = DanceRole::lead;
+    std::shared_ptr<Repertoire> repertoire;  // null: nothing is solved yet
+};
+
+// The parts that a formation dances, each once, and which of them each of its bodies has.
+struct Parts {
+    std::vector<SolvedPart> each;
+    std::vector<std::size_t> of_body;
+};
+
+Parts parts_of(Formation formation, const std::vector<motion::Skeleton>& bodies) {
+    Parts parts;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const bool is_follow = formation == Formation::couple && i == 1;
+        const DanceRole role = is_follow ? DanceRole::follow : DanceRole::lead;
+        const auto same =
+            std::find_if(parts.each.begin(), parts.each.end(), [&](const SolvedPart& part) {
+                return part.role == role && part.skeleton == bodies[i];
+            });
+        parts.of_body.push_back(static_cast<std::size_t>(same - parts.each.begin()));
+        if (same == parts.each.end()) {
+            parts.each.push_back({bodies[i], role, nullptr});
+        }
+    }
+    return parts;
+}
+
+// Solves dances and adds them to the repertoires of all parts. A copy runs on the thread that
+// solves the other dances; it shares the repertoires.
+struct DanceLoader {
+    using Libraries = std::vector<std::shared_ptr<const motion::DanceLibrary>>;
+
+    DanceCatalogue catalogue;
+    DanceForm form;
+    std::vector<SolvedPart> parts;
+    int threads = 1;
+
+    // One a part. Errors: that of the first part for which it cannot be solved.
+    [[nodiscard]] Expected<Libraries> solve(const std::string& dance) const {
+        std::vector<std::optional<Expected<std::shared_ptr<const motion::DanceLibrary>>>> solved(
+            parts.size());
+        run_parallel(parts.size(), threads, [&](std::size_t i) {
+            solved[i] = load_dance(catalogue, dance, parts[i].skeleton, parts[i].role, form);
+        });
+        Libraries libraries;
+        for (auto& library : solved) {
+            if (!*library) {
+                return fail(std::move(library->error()));
+            }
+            libraries.push_back(std::move(**library));
+        }
+        return libraries;
+    }
+
+    // Gives each part a repertoire with the dance that a show begins with.
+    [[nodiscard]] Expected<void> begin(const Settings& settings) {
+        const std::string dance = dance_to_load(settings, *catalogue.list());
+        auto libraries = solve(dance);
+        if (!libraries) {
+            return fail(std::move(libraries.error()));
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            parts[i].repertoire = std::make_shared<Repertoire>(
+                catalogue.list()->id_of(dance), std::move((*libraries)[i]), fallback_of(settings));
+        }
+        return {};
+    }
+
+    // Adds a dance to all repertoires, or to none when it cannot be solved for one of them: nobody
+    // must dance what the others cannot. The first dancer's is the last: what it knows, all know.
+    [[nodiscard]] Expected<void> add(const std::string& dance) const {
+        auto libraries = solve(dance);
+        if (!libraries) {
+            return fail(std::move(libraries.error()));
+        }
+        const DanceId id = catalogue.list()->id_of(dance);
+        for (std::size_t i = parts.size(); i-- > 0;) {
+            parts[i].repertoire->add(id, std::move((*libraries)[i]));
+        }
+        return {};
+    }
+
+    // Adds the dances one after the other; a bad one is reported and the rest goes on.
+    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances,
+                                                   const std::atomic<bool>& is_stopped) const {
+        std::vector<std::string> left_out;
+        for (const std::string& dance : dances) {
+            // relaxed: a wish by itself
+            if (is_stopped.load(std::memory_order_relaxed)) {
+                break;
+            }
+            if (auto added = add(dance); !added) {
+                left_out.push_back(fmt::format("{} is left out: {}", dance, added.error().message));
+            }
+        }
+        return left_out;
+    }
+};
+
+}  // namespace
+
+Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
+             const motion::Skeleton& skeleton,
+             std::uint64_t seed,
+             motion::Dynamics dynamics) {
+    return motion::members_of(
+        Formation::solo, {{skeleton, Repertoire::of_one(std::move(library))}}, seed, dynamics);
+}
+
+std::vector<motion::Skeleton> bodies_in(Formation formation,
+                                        const std::vector<motion::Skeleton>& bodies) {
+    if (formation != Formation::couple) {
+        return bodies;
+    }
+    return {bodies[0], bodies[1 % bodies.size()]};
+}
+
+Expected<Dancers> Dancers::load(const Settings& settings,
+                                const DanceCatalogue& catalogue,
+                                const std::vector<motion::Skeleton>& bodies,
+                                int threads) {
+    const auto formation = asked_formation(settings);
+    if (!formation) {
+        return fail(std::move(formation.error()));
+    }
+    Parts parts = parts_of(*formation, bodies_in(*formation, bodies));
+    DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads};
+    if (auto begun = loader.begin(settings); !begun) {
+        return fail(std::move(begun.error()));
+    }
+    Dancers dancers;
+    for (const std::size_t part : parts.of_body) {
+        dancers.bodies_.push_back({loader.parts[part].skeleton, loader.parts[part].repertoire});
+    }
+    dancers.cast_ = motion::members_of(*formation,
+                                       dancers.bodies_,
+                                       static_cast<std::uint64_t>(settings.seed),
+                                       dynamics_of(settings),
+                                       asked_dancers(settings, *formation));
+    // From here on the others are solved on their own thread; the future joins it when destroyed.
+    const auto others = other_dances_to_load(settings, *catalogue.list());
+    dancers.others_ =
+        std::async(std::launch::async, [loader, others, is_stopped = dancers.is_stopped_] {
+            return loader.add_all(others, *is_stopped);
+        });
+    return dancers;
+}
+
+void Dancers::stop_solving() noexcept {
+    is_stopped_->store(true, std::memory_order_relaxed);  // relaxed: a wish by itself
+}
+
+bool Dancers::is_stopped() const noexcept {
+    return is_stopped_->load(std::memory_order_relaxed);  // relaxed: as above
+}
+
+bool Dancers::is_done() const {
+    return !others_.valid() ||
+           others_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+std::vector<std::string> Dancers::wait() {
+    // A second wait has nothing to wait for.
+    return others_.valid() ? others_.get() : std::vector<std::string>{};
+}
+
+}  // namespace raks::engine

@@ -1,0 +1,74 @@
+// Dancers: who dances what the settings ask for, and for which bodies it is solved.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "engine/setup/dance_catalogue.hpp"
+#include "engine/setup/settings.hpp"
+#include "motion/dance_library.hpp"
+#include "motion/ensemble.hpp"
+#include "motion/formation.hpp"
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::engine {
+
+/// One to motion::Ensemble::kMost dancers.
+using Cast = std::vector<motion::EnsembleMember>;
+
+/// A cast of one dancer who knows one dance. `seed`: of all random choices.
+[[nodiscard]] Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
+                           const motion::Skeleton& skeleton,
+                           std::uint64_t seed,
+                           motion::Dynamics dynamics = motion::Dynamics::on);
+
+/// Of the bodies that dancers have in turn, at least one, those that a formation dances with: two
+/// of a couple, else all. Pure.
+[[nodiscard]] std::vector<motion::Skeleton> bodies_in(motion::Formation formation,
+                                                      const std::vector<motion::Skeleton>& bodies);
+
+/// The dancers that the settings ask for: dance, figures, formation, generator and seed. The dance
+/// that a show begins with is ready at once; with `dance = "auto"` a thread of its own solves all
+/// others meanwhile and adds them to the repertoires. Each dance is solved once for each body that
+/// differs. Threads: one owner.
+class Dancers {
+ public:
+    /// Solves the first dance. `bodies`: those that dancers have in turn, at least one. `threads`:
+    /// that solve dances, at least one. Errors: as load_dance; an unknown formation.
+    [[nodiscard]] static Expected<Dancers> load(const Settings& settings,
+                                                const DanceCatalogue& catalogue,
+                                                const std::vector<motion::Skeleton>& bodies,
+                                                int threads = 1);
+
+    /// The dancers; their repertoires grow until all dances are solved.
+    [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
+    /// The bodies of the formation (bodies_in), and what they dance: for motion::members_of.
+    [[nodiscard]] const std::vector<motion::DancingBody>& bodies() const noexcept {
+        return bodies_;
+    }
+    /// No more dances are begun to be solved: nobody waits for them any more.
+    void stop_solving() noexcept;
+    /// Whether stop_solving() was called: some dances may never be there.
+    [[nodiscard]] bool is_stopped() const noexcept;
+    /// Whether all dances are solved, or no more will be: to be destroyed without waiting.
+    [[nodiscard]] bool is_done() const;
+
+    /// Waits until all dances are solved, which a reproducible film needs. Returns a line for each
+    /// dance that was left out because a file of it is bad.
+    [[nodiscard]] std::vector<std::string> wait();
+
+ private:
+    std::vector<motion::DancingBody> bodies_;
+    Cast cast_;
+    // Shared with the thread that solves.
+    std::shared_ptr<std::atomic<bool>> is_stopped_ = std::make_shared<std::atomic<bool>>(false);
+    std::future<std::vector<std::string>> others_;
+};
+
+}  // namespace raks::engine
