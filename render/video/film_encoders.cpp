@@ -50,6 +50,10 @@ void set_h264(AVCodecContext& codec, const QualityRow& row) {
     set_bt709(codec);
     av_opt_set(codec.priv_data, "preset", row.x264_preset, 0);
     av_opt_set_double(codec.priv_data, "crf", row.x264_crf, 0);
+    // x264 164 otherwise looks ahead in a thread of its own, which counts down the references to a
+    // picture, without a lock, while the encoder does: seldom both write the same count, and the
+    // picture is never freed. Looking ahead within the call gives the same bytes.
+    av_opt_set(codec.priv_data, "x264-params", "sync-lookahead=0", 0);
 }
 
 /// Constant quality: the bit rate 0 tells the encoder that only the quality counts.
