@@ -12,6 +12,7 @@
 
 #include "apps/raks/bench.hpp"
 #include "engine/show/loaded_avatar.hpp"
+#include "motion/formation.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/avatar/skin_vertices.hpp"
@@ -20,6 +21,7 @@
 #include "render/scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 namespace raks::apps {
@@ -128,11 +130,51 @@ double vertices_us(std::size_t vertices, std::size_t matrices, std::size_t morph
     return 1e6 * median_cost(200, [&] { render::pose_vertices(body, weights, all, posed); });
 }
 
-// Pictures of an avatar that moves, with all of the stage.
+// Dancers in a grid who wear one avatar and move, each a little later than the one before.
+class MovingCrowd {
+ public:
+    MovingCrowd(const render::Avatar& avatar, render::AvatarHandle handle, std::size_t dancers)
+        : avatar_(avatar), places_(motion::places_in(motion::Formation::grid, dancers)) {
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            states_.push_back(
+                avatar.rig != nullptr ? std::make_unique<render::RigState>(*avatar.rig) : nullptr);
+            dancers_.push_back({.avatar = handle, .pose = {}, .state = states_.back().get()});
+        }
+    }
+
+    std::span<const render::Dancer> at(double seconds) {
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            motion::Pose& pose = dancers_[i].pose;
+            pose = moving_pose(avatar_, seconds + 0.1 * static_cast<double>(i));
+            pose.hips_position += glm::vec3(places_[i].x, 0.0, places_[i].y);
+            if (states_[i] != nullptr) {
+                render::pose_avatar(*avatar_.rig, pose, {}, kOwnBody, *states_[i]);
+            }
+        }
+        return dancers_;
+    }
+
+    // How far the farthest stands from the middle, metres.
+    [[nodiscard]] float reach() const {
+        double reach = 0.0;
+        for (const glm::dvec2& place : places_) {
+            reach = std::max(reach, glm::length(place));
+        }
+        return static_cast<float>(reach);
+    }
+
+ private:
+    const render::Avatar& avatar_;
+    std::vector<glm::dvec2> places_;
+    std::vector<std::unique_ptr<render::RigState>> states_;
+    std::vector<render::Dancer> dancers_;
+};
+
+// Drawing a crowd with all of the stage; posing is not counted.
 Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
-                                            const render::Avatar& avatar,
-                                            render::AvatarHandle handle,
-                                            std::pair<int, int> size) {
+                                            MovingCrowd crowd,
+                                            std::pair<int, int> size,
+                                            int pictures = 60) {
     auto target = render::OffscreenTarget::create(
         {.width = size.first, .height = size.second, .samples = renderer.samples()});
     if (!target) {
@@ -140,19 +182,13 @@ Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
     }
     render::Scene scene;
     scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
-    const auto state =
-        avatar.rig != nullptr ? std::make_unique<render::RigState>(*avatar.rig) : nullptr;
+    scene.camera.distance += 2.0F * crowd.reach();
+    scene.floor_size = render::floor_size_for(crowd.reach());
     std::vector<double> costs;
-    constexpr int kPictures = 60;
-    for (int i = 0; i < kPictures; ++i) {
-        const double seconds = i / 30.0;
-        const render::Dancer dancer{
-            .avatar = handle, .pose = moving_pose(avatar, seconds), .state = state.get()};
-        if (state != nullptr) {
-            render::pose_avatar(*avatar.rig, dancer.pose, {}, kOwnBody, *state);
-        }
+    for (int i = 0; i < pictures; ++i) {
+        const std::span<const render::Dancer> dancers = crowd.at(i / 30.0);
         const double start = process_cpu_seconds();
-        renderer.draw(scene, std::span(&dancer, 1), target->frame());
+        renderer.draw(scene, dancers, target->frame());
         target->finish();
         costs.push_back(1e3 * (process_cpu_seconds() - start));
     }
@@ -168,13 +204,28 @@ Expected<void> add_pictures(const std::string& name,
                             render::AvatarHandle handle,
                             BenchReport& report) {
     for (const auto& size : kSizes) {
-        const auto costs = picture_costs(renderer, avatar, handle, size);
+        const auto costs = picture_costs(renderer, MovingCrowd(avatar, handle, 1), size);
         if (!costs) {
             return fail(costs.error());
         }
         report.spreads.emplace_back(fmt::format("{}cpu_ms_{}x{}", name, size.first, size.second),
                                     spread_of(*costs));
     }
+    return {};
+}
+
+// Adds the costs of a crowd's pictures, each dancer with springs and bones of its own.
+Expected<void> add_crowd(render::Renderer& renderer,
+                         const render::Avatar& avatar,
+                         render::AvatarHandle handle,
+                         BenchReport& report) {
+    constexpr int kPictures = 10;
+    const auto costs =
+        picture_costs(renderer, MovingCrowd(avatar, handle, 32), {1920, 1080}, kPictures);
+    if (!costs) {
+        return fail(costs.error());
+    }
+    report.spreads.emplace_back("crowd_of_32_cpu_ms_1920x1080", spread_of(*costs));
     return {};
 }
 
@@ -258,6 +309,9 @@ Expected<BenchReport> bench_avatar(const std::string& model) {
     report.values.emplace_back("memory_mb_above_mannequin", memory_mb("VmRSS") - memory_before);
     report.values.emplace_back("peak_memory_mb_above_mannequin",
                                memory_mb("VmHWM") - memory_before);
+    if (auto added = add_crowd(*renderer, avatar, handle, report); !added) {
+        return fail(added.error());
+    }
     report.values.emplace_back("load_per_workload", load.p50 / workload);
     report.values.emplace_back(
         "picture_per_mannequin",
