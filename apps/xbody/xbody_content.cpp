@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "apps/xbody/surface_pick.hpp"
 #include "apps/xbody/thumbnail.hpp"
 #include "apps/xbody/xbody_texts.hpp"
 #include "base/printable.hpp"
@@ -287,6 +288,14 @@ void XbodyContent::fulfil(const FrameChosen& /*wish*/) {
     }
     if (!points.empty()) {
         session_.camera = camera_before(session_.camera, points, box_.width / box_.height);
+    }
+}
+
+void XbodyContent::fulfil(const PickSurface& wish) {
+    const auto node = node_at(
+        wish.at, stage_.model(), stage_.shown(), session_.tree.is_hidden, session_.camera, box_);
+    if (node) {
+        apply(ChooseNode{*node}, session_);
     }
 }
 

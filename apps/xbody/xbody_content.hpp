@@ -48,6 +48,7 @@ class XbodyContent : public render::PaneContent {
 
     void fulfil(const XbodyAction& action);
     void fulfil(const FitView& wish);
+    void fulfil(const PickSurface& wish);
     void fulfil(const FrameChosen& wish);
     void fulfil(const SaveXbody& wish);
     void fulfil(const WriteFilm& wish);

@@ -73,8 +73,9 @@ class XbodyPane {
         draw_marks(d_.frame, d_.layout.view, d_.view.seen, d_.session.marks());
     }
 
+    // A joint is picked before the surface that hides it.
     void pick() {
-        constexpr float kNear = 12.0F;
+        constexpr float kNear = 8.0F;
         const auto distance = [&](const SeenNode& node) {
             return glm::distance(node.at, d_.frame.pointer);
         };
@@ -82,8 +83,12 @@ class XbodyPane {
             d_.view.seen.skeleton.begin(),
             d_.view.seen.skeleton.end(),
             [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-        if (nearest != d_.view.seen.skeleton.end() && distance(*nearest) < kNear) {
+        const bool is_joint = d_.session.has_bones && nearest != d_.view.seen.skeleton.end() &&
+                              distance(*nearest) < kNear;
+        if (is_joint) {
             d_.wish(ChooseNode{nearest->node});
+        } else {
+            d_.wishes.emplace_back(PickSurface{d_.frame.pointer});
         }
     }
 

@@ -73,6 +73,10 @@ struct FitView {
 };
 /// The camera has the chosen branch, or where none is chosen all of the model.
 struct FrameChosen {};
+/// What is seen at a place of the frame, in the view, is picked.
+struct PickSurface {
+    glm::vec2 at{};
+};
 /// The labels are to be written.
 struct SaveXbody {};
 /// What is shown is to be written: ".png", ".mp4", ".avi", or "" for a folder of pictures.
@@ -92,6 +96,7 @@ struct CloseXbody {};
 using XbodyWish = std::variant<XbodyAction,
                                FitView,
                                FrameChosen,
+                               PickSurface,
                                SaveXbody,
                                WriteFilm,
                                StopFilm,

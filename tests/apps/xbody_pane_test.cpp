@@ -44,6 +44,9 @@ class XbodyPanes : public ::testing::Test {
                     film_ = film->ending;
                 }
                 film_ = std::holds_alternative<StopFilm>(wish) ? "stopped" : film_;
+                if (const auto* const pick = std::get_if<PickSurface>(&wish)) {
+                    picked_ = pick->at;
+                }
                 if (const auto* const files = std::get_if<TakeFiles>(&wish)) {
                     dropped_.push_back(files->paths);
                 }
@@ -82,6 +85,7 @@ class XbodyPanes : public ::testing::Test {
     render::PointerPlace pointer_;
     int saves_ = 0;
     std::string film_;
+    std::optional<glm::vec2> picked_;
     std::vector<std::vector<std::string>> dropped_;
 };
 
@@ -184,6 +188,21 @@ TEST_F(XbodyPanes, a_click_near_a_bone_in_the_view_picks_it) {
         {4, middle + glm::vec2(40.0F, 0.0F), {}, NodeKind::bone, "there"});
     click(view);
     EXPECT_EQ(session_.node, 3);
+    EXPECT_FALSE(picked_);
+}
+
+TEST_F(XbodyPanes, a_click_away_from_all_bones_that_are_drawn_asks_for_the_surface_there) {
+    const Box& view = layout().view;
+    const glm::vec2 middle(view.x + view.width / 2.0F, view.y + view.height / 2.0F);
+    view_.seen.skeleton.push_back({3, middle + glm::vec2(20.0F, 0.0F), {}, NodeKind::bone, "off"});
+    click(view);
+    EXPECT_EQ(picked_, middle);
+    picked_.reset();
+    view_.seen.skeleton.front().at = middle;
+    apply(DrawBones{false}, session_);
+    click(view);
+    EXPECT_EQ(picked_, middle) << "what is not seen is not picked";
+    EXPECT_FALSE(session_.node);
 }
 
 TEST_F(XbodyPanes, a_slider_of_the_chosen_bone_turns_it_and_the_button_above_puts_it_back) {
