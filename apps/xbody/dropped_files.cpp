@@ -38,10 +38,11 @@ class DropReader {
     // Once it is known whom a motion moves.
     DroppedFiles finish(const MotionWearer& wearer) {
         if (motion_) {
+            motion_->sound = music_ ? music_->path : motion_->sound;
             read_motion(*motion_, wearer);
         }
-        if (music_) {
-            take_first(*music_, motion_ ? motion_ : files_.music);
+        if (files_.motion.empty()) {
+            files_.music = music_;
         }
         return std::move(files_);
     }
@@ -78,6 +79,7 @@ class DropReader {
         }
         files_.motion = file.path.string();
         files_.motion_name = file.name;
+        files_.sound = file.sound;
         if (files_.model) {
             wear(files_.motion, std::move(*clip), *files_.model);
         } else {
@@ -110,7 +112,9 @@ std::string message_of(const DroppedFiles& files) {
         sentences.push_back("This is " + printable(files.model->file().filename().string()));
     }
     if (!files.motion_name.empty()) {
-        sentences.push_back("It is moved by " + files.motion_name);
+        sentences.push_back(fmt::format("It is moved by {}{}",
+                                        files.motion_name,
+                                        files.sound.empty() ? "" : ", with its music"));
     }
     if (files.music) {
         sentences.push_back("Making a dance to " + files.music->name);

@@ -14,8 +14,9 @@ namespace raks::apps {
 /// destroyed, for what is being read. Threads: one. Real-time: no.
 class FileArrival {
  public:
-    /// What the worker does with what was read, before it is there: shaders may be made ready.
-    using Preparation = std::function<void(const DroppedFiles&)>;
+    /// What the worker does with what was read, before it is there: shaders may be made ready, and
+    /// the sound.
+    using Preparation = std::function<void(DroppedFiles&)>;
     explicit FileArrival(Preparation prepare) : prepare_(std::move(prepare)) {}
 
     /// Asks for files. What was asked for before and is not there yet is given up.

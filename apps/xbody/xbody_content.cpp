@@ -46,11 +46,20 @@ render::FrameTarget target_of(const render::Box& box, const render::PaneFrame& f
             .height = pixels(box.bottom()) - pixels(box.y)};
 }
 
-/// Lets a driver finish shaders before a model is there.
-FileArrival::Preparation warm_up_of(const XbodyStage& stage) {
-    return [quality = stage.quality()](const DroppedFiles& files) {
+/// Lets a driver finish shaders before a model is there, and opens the loudspeaker.
+FileArrival::Preparation preparation_of(const XbodyStage& stage) {
+    return [quality = stage.quality()](DroppedFiles& files) {
         if (files.model) {
             render::warm_up_shaders(*files.model->avatar, quality);
+        }
+        if (files.sound.empty()) {
+            return;
+        }
+        if (auto player = engine::ClipSound::open(files.sound)) {
+            files.player = std::move(*player);
+        } else {
+            files.sound.clear();
+            files.faults.push_back("No sound: " + player.error().message);
         }
     };
 }
@@ -64,7 +73,7 @@ XbodyContent::XbodyContent(XbodyStage stage, render::PaneHost host, const XbodyS
                              labels_of(stage_.model()),
                              transport_of(stage_.model(), start.frame),
                              {})),
-      arrival_(warm_up_of(stage_)),
+      arrival_(preparation_of(stage_)),
       first_view_(start.view) {
     session_.has_names = start.has_names;
     begin_session();
@@ -124,9 +133,26 @@ void XbodyContent::draw(const render::PaneFrame& frame) {
 
 bool XbodyContent::is_moving() {
     const HostTime now = HostClock::now();
-    session_.transport.advance(to_seconds(now - std::exchange(advanced_, now)));
+    const double passed = to_seconds(now - std::exchange(advanced_, now));
+    session_.transport.advance(passed + sound_step());
     const bool plays = !session_.transport.is_paused() && stage_.model().frame_count() > 1;
     return plays || film_ || arrival_.is_due();
+}
+
+// Seconds by which the clip goes where the sound is heard: a loudspeaker is later than the picture,
+// and its clock is another.
+double XbodyContent::sound_step() {
+    if (!sound_) {
+        return 0.0;
+    }
+    const engine::ClipTransport& clip = session_.transport;
+    const bool sounds = !clip.is_paused() && clip.rate() == 1.0 && stage_.model().frame_count() > 1;
+    const double step = sound_->follow(clip.seconds(), sounds);
+    if (sound_->is_lost()) {
+        session_.message = "The loudspeaker is gone: it is moved on without sound";
+        sound_.reset();
+    }
+    return step;
 }
 
 bool XbodyContent::may_close() {
@@ -201,6 +227,9 @@ void XbodyContent::take_arrived() {
         awaits_dance_ = false;
         dance_.reset();
     }
+    if (files->model || files->clip) {
+        sound_ = std::move(files->player);
+    }
     if (files->model) {
         take_model(std::move(*files->model));
     } else if (files->clip) {
@@ -251,7 +280,7 @@ void XbodyContent::take_music(const DroppedFile& music) {
     }
     dance_ = std::move(*dance);
     awaits_dance_ = true;
-    music_ = music.name;
+    music_ = music;
 }
 
 // What was made stays as long as it is the motion: other labels read it anew.
@@ -264,7 +293,8 @@ void XbodyContent::take_dance() {
     if (!made) {
         session_.message = made.error().message;
     } else if (*made) {
-        arrival_.ask({{**made, "a dance to " + music_}}, wearer_of(stage_.model()));
+        arrival_.ask({{**made, "a dance to " + music_.name, music_.path}},
+                     wearer_of(stage_.model()));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "apps/xbody/xbody_stage.hpp"
 #include "apps/xbody/xbody_window.hpp"
 #include "base/time.hpp"
+#include "engine/live/clip_sound.hpp"
 #include "render/panes/pane_host.hpp"
 #include "render/panes/pane_window.hpp"
 
@@ -43,6 +45,7 @@ class XbodyContent : public render::PaneContent {
     void take_arrived();
     void take_model(ShownModel model);
     void take_motion(std::string motion, engine::AvatarClip clip);
+    double sound_step();
     void take_music(const DroppedFile& music);
     void take_dance();
 
@@ -63,13 +66,14 @@ class XbodyContent : public render::PaneContent {
     XbodyView view_;
     std::optional<render::PanePicture> thumbnail_;
     std::optional<WindowFilm> film_;
-    std::optional<MadeDance> dance_;  // to music that was dropped
-    std::string music_;               // its name
-    bool awaits_dance_ = false;       // it is not done
-    FileArrival arrival_;             // of what was dropped
-    std::string first_view_;          // until the window's form is known
-    render::Box box_;                 // of the model; units
-    float unit_ = 1.0F;               // pixels
+    std::optional<MadeDance> dance_;            // to music that was dropped
+    DroppedFile music_;                         // that it is made to
+    bool awaits_dance_ = false;                 // it is not done
+    FileArrival arrival_;                       // of what was dropped
+    std::unique_ptr<engine::ClipSound> sound_;  // of the motion; null: it has none
+    std::string first_view_;                    // until the window's form is known
+    render::Box box_;                           // of the model; units
+    float unit_ = 1.0F;                         // pixels
     HostTime advanced_ = HostClock::now();
     bool is_warned_ = false;  // that labels are not saved
     bool is_finished_ = false;

@@ -13,8 +13,6 @@ using Direction = audio::DeviceStream::Direction;
 // What stands in for a device that was not asked for: nothing is audible, so any usual rate does.
 constexpr SampleRate kOwnClockRate(48'000);
 constexpr int kOwnClockChannels = 2;
-// The latency of what is played does not matter, as the pictures wait for it; holes do.
-constexpr double kPlayBuffer = 0.040;
 // `live` without sound for so long looks around for it, and then again.
 constexpr Nanos kSilentFor = std::chrono::seconds(5);
 constexpr float kSilentDbfs = -70.0F;

@@ -1,20 +1,10 @@
 #include "engine/live/playback.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "audio/io/hearing.hpp"
 
 namespace raks::engine {
-namespace {
-
-// Frames pulled and analyzed at a time: the buffers are made once, for device blocks of any size.
-constexpr std::size_t kPullFrames = 256;
-// Largest change of the gain per frame: from 0 to 1 in 10 ms at 48 kHz, without a click.
-constexpr float kGainStep = 1.0F / 480.0F;
-
-}  // namespace
 
 Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player,
                                                      const AnalyzerModels& models) {
@@ -28,171 +18,49 @@ Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::File
 
 Playback::Playback(std::unique_ptr<audio::FilePlayer> player,
                    std::unique_ptr<AnalysisStage> analysis)
-    : player_(std::move(player)),
-      analysis_(std::move(analysis)),
-      file_rate_(player_->first_info().rate),
-      device_rate_(file_rate_),
-      pulled_(2 * kPullFrames),
-      mono_(kPullFrames),
-      stereo_(2 * kPullFrames) {}
+    : FileSound(std::move(player)), analysis_(std::move(analysis)), mono_(kPullFrames) {}
 
 Expected<void> Playback::prepare(SampleRate device_rate) {
-    device_rate_ = device_rate;
-    // When the device has died and our clock takes over at another rate, stream time must not jump.
-    frames_out_ = device_rate.index_at(analysis_->taken_until());
-    return resampler_.prepare(file_rate_, device_rate, 2);
+    return FileSound::prepare(device_rate, analysis_->taken_until());
 }
 
 void Playback::stop_clock() noexcept {
-    gain_ = 0.0F;
-    analysis_->stop_clock(device_rate_.time_of(frames_out_));
+    fade_in();
+    analysis_->stop_clock(given_until());
 }
 
-// Pulls the next frames of the file and analyzes them; returns how many. 0: none are ready, or the
-// file has ended.
-std::size_t Playback::refill() noexcept {
-    const audio::PulledAudio got = player_->pull(pulled_);
-    // Set at each pull: a seek after the end makes the source go on.
-    is_source_ended_ = got.is_ended;
-    if (got.frames == 0) {
-        return 0;
-    }
-    const double seconds = static_cast<double>(got.position) / file_rate_.hertz();
-    // relaxed, all three: numbers by themselves
-    if (!player_->is_seeking()) {
-        position_seconds_.store(seconds, std::memory_order_relaxed);
-    }
-    // Frames until the end that set_end() asked for: rounded, so that it is exact to the sample.
-    const double left = end_seconds_.load(std::memory_order_relaxed) - seconds;
-    const double frames_left = std::round(left * file_rate_.hertz());
-    if (frames_left < 1.0) {
-        is_source_ended_ = true;
-        return 0;
-    }
-    const std::size_t frames = frames_left < static_cast<double>(got.frames)
-                                   ? static_cast<std::size_t>(frames_left)
-                                   : got.frames;
+void Playback::on_pulled(const audio::PulledAudio& pulled,
+                         std::span<const float> stereo) noexcept RAKS_NONBLOCKING {
     // A seek or another file: the analyzer must not track beats across the cut. The first frames of
     // all follow nothing.
-    if (got.is_jump && analysis_->taken_until() > StreamTime{}) {
+    if (pulled.is_jump && analysis_->taken_until() > StreamTime{}) {
         analysis_->skip(0);
     }
-    analysis_->planned().set_place(analysis_->taken_until(), file_rate_.time_of(got.position));
-    const std::span<float> mono = std::span(mono_).first(frames);
-    audio::hear_mono(std::span(pulled_).first(2 * frames), 2, got.hearing, mono);
+    analysis_->planned().set_place(analysis_->taken_until(), file_rate().time_of(pulled.position));
+    const std::span<float> mono = std::span(mono_).first(stereo.size() / 2);
+    audio::hear_mono(stereo, 2, pulled.hearing, mono);
     analysis_->analyze(mono);
-    return frames;
-}
-
-// Fills `stereo` at the device's rate; returns how many of its frames hold the file's sound.
-std::size_t Playback::pull(std::span<float> stereo) noexcept {
-    std::size_t made = 0;
-    while (2 * made < stereo.size()) {
-        if (pending_ == 0) {
-            pending_ = refill();
-            pending_at_ = 0;
-            // Not ready or at the end: the rest of the block stays silent.
-            if (pending_ == 0) {
-                break;
-            }
-        }
-        // The resampler may take only part of what was pulled; the rest stays pending for the next
-        // round.
-        const auto progress = resampler_.process(
-            std::span(pulled_).subspan(2 * pending_at_, 2 * pending_), stereo.subspan(2 * made));
-        pending_at_ += progress.taken;
-        pending_ -= progress.taken;
-        made += progress.made;
-    }
-    return made;
 }
 
 void Playback::on_output(std::span<float> interleaved,
                          int channels,
                          const audio::BlockTime& time) noexcept RAKS_NONBLOCKING {
     const HostTime start = host_now();
-    const std::size_t stride = static_cast<std::size_t>(channels);
-    const std::size_t frames = interleaved.size() / stride;
-    // What is not filled below is silence.
-    std::fill(interleaved.begin(), interleaved.end(), 0.0F);
-    const StreamTime first = device_rate_.time_of(frames_out_);
-    // relaxed: switches that order nothing. A pause fades out before it stops: no click.
-    const bool is_pausing = is_paused_.load(std::memory_order_relaxed);
-    if ((is_pausing && gain_ == 0.0F) || is_held_back_.load(std::memory_order_relaxed)) {
-        analysis_->stop_clock(first);
+    const Filled filled = fill(interleaved, channels, this);
+    if (filled.is_still) {
+        analysis_->stop_clock(filled.first);
         return;
-    }
-    const float volume = is_pausing ? 0.0F : volume_.load(std::memory_order_relaxed);
-    bool has_sound = false;
-    // In pieces that fit the buffers, whatever size the device asks for.
-    for (std::size_t at = 0; at < frames; at += kPullFrames) {
-        const std::size_t wanted = std::min(kPullFrames, frames - at);
-        const std::size_t made = pull(std::span(stereo_).first(2 * wanted));
-        for (std::size_t frame = 0; frame < made; ++frame) {
-            // The gain moves frame by frame towards the volume.
-            gain_ += std::clamp(volume - gain_, -kGainStep, kGainStep);
-            float* const out = &interleaved[(at + frame) * stride];
-            const float left = stereo_[2 * frame] * gain_;
-            const float right = stereo_[2 * frame + 1] * gain_;
-            // A mono device gets the mean of both channels; beyond two, the channels stay silent.
-            out[0] = channels == 1 ? 0.5F * (left + right) : left;
-            if (channels > 1) {
-                out[1] = right;
-            }
-        }
-        // Counts only frames with sound: stream time stands still while the decoder is behind.
-        frames_out_ += static_cast<std::int64_t>(made);
-        has_sound = has_sound || made > 0;
-        if (made < wanted) {
-            break;
-        }
     }
     if (time.is_xrun) {
         analysis_->loosen_clock();
     }
     // A block without any of the file's sound moves no stream time: the clock stops until there is.
-    if (has_sound) {
-        analysis_->mark_clock(first, time.entered);
+    if (filled.has_sound) {
+        analysis_->mark_clock(filled.first, time.entered);
     } else {
-        analysis_->stop_clock(first);
+        analysis_->stop_clock(filled.first);
     }
-    // release: pairs with the acquire in is_finished(): all samples are out by then. A seek back
-    // makes it false again.
-    is_finished_.store(is_source_ended_ && !has_sound, std::memory_order_release);
     analysis_->add_callback_time(host_now() - start);
-}
-
-void Playback::set_volume(float volume) noexcept {
-    volume_.store(std::clamp(volume, 0.0F, 2.0F), std::memory_order_relaxed);
-}
-
-void Playback::set_paused(bool is_paused) noexcept {
-    is_paused_.store(is_paused, std::memory_order_relaxed);
-}
-
-bool Playback::is_paused() const noexcept { return is_paused_.load(std::memory_order_relaxed); }
-
-double Playback::position_seconds() const noexcept {
-    return position_seconds_.load(std::memory_order_relaxed);
-}
-
-void Playback::seek(double seconds) {
-    if (!player_->can_seek()) {
-        return;
-    }
-    // Shown at once: the player reaches the new place only with a later pull.
-    const double wanted = std::max(0.0, seconds);
-    player_->seek(0, wanted);
-    position_seconds_.store(wanted, std::memory_order_relaxed);  // relaxed: for display
-    // Until the next block tells: nobody must take the file for finished meanwhile. relaxed: a
-    // block that is under way may still say the old state, as if the seek had come behind it.
-    is_finished_.store(false, std::memory_order_relaxed);
-}
-
-bool Playback::is_finished() const noexcept { return is_finished_.load(std::memory_order_acquire); }
-
-void Playback::set_end(double seconds) noexcept {
-    end_seconds_.store(seconds, std::memory_order_relaxed);
 }
 
 }  // namespace raks::engine

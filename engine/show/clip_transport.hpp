@@ -41,6 +41,8 @@ class ClipTransport {
 
     /// The frame to show, from 0.
     [[nodiscard]] std::size_t frame() const noexcept;
+    /// Where it is, from the first frame on; between two frames, too.
+    [[nodiscard]] double seconds() const noexcept { return position_ / frames_per_second_; }
     /// True while time does not move the frame.
     [[nodiscard]] bool is_paused() const noexcept { return is_paused_; }
     [[nodiscard]] double rate() const noexcept { return rate_; }  ///< as set_rate

@@ -69,9 +69,12 @@ TEST_F(DroppedFilesTest, of_several_of_a_kind_the_first_counts_and_the_others_ar
     EXPECT_EQ(files.model->file(), folder_ / "b.3ds");
     EXPECT_EQ(files.motion, kClip);
     EXPECT_FALSE(files.music) << "it is moved already";
-    EXPECT_EQ(files.left_out, (std::vector<std::string>{"a.3ds", "other.bvh", "song.wav"}));
-    EXPECT_NE(message_of(files).find("Left out, as one is shown at a time: a.3ds, other.bvh, "),
-              std::string::npos)
+    EXPECT_EQ(files.sound, "song.wav") << "to which it is moved";
+    EXPECT_EQ(files.left_out, (std::vector<std::string>{"a.3ds", "other.bvh"}));
+    EXPECT_NE(
+        message_of(files).find("own_dance.bvh, with its music. Left out, as one is shown at a "
+                               "time: a.3ds, other.bvh"),
+        std::string::npos)
         << message_of(files);
 }
 
@@ -82,6 +85,7 @@ TEST_F(DroppedFilesTest, what_cannot_be_read_is_said_and_the_rest_is_taken) {
     ASSERT_EQ(files.faults.size(), 2U);
     EXPECT_NE(files.faults[0].find("none.3ds"), std::string::npos);
     EXPECT_NE(files.faults[1].find("none.bvh"), std::string::npos);
+    EXPECT_TRUE(drop({path("none.bvh"), "song.wav"}).music) << "nothing moves it yet";
     const DroppedFiles bad = drop({path("none.bvh")});
     EXPECT_EQ(message_of(bad), bad.faults.front());
 }

@@ -29,7 +29,7 @@ DroppedFiles wait(FileArrival& arrival) {
 }
 
 TEST(FileArrival, gives_what_was_asked_for_once) {
-    FileArrival arrival([](const DroppedFiles&) {});
+    FileArrival arrival([](DroppedFiles&) {});
     EXPECT_FALSE(arrival.is_awaited() || arrival.is_due());
     arrival.ask({dropped_file(kDance)}, figure());
     EXPECT_TRUE(arrival.is_awaited() && arrival.is_due());
@@ -41,7 +41,7 @@ TEST(FileArrival, gives_what_was_asked_for_once) {
 TEST(FileArrival, is_read_beside_the_thread_that_asks_and_given_up_for_what_is_asked_later) {
     std::promise<void> may_go_on;
     FileArrival arrival(
-        [wait_for = may_go_on.get_future().share()](const DroppedFiles&) { wait_for.wait(); });
+        [wait_for = may_go_on.get_future().share()](DroppedFiles&) { wait_for.wait(); });
     arrival.ask({dropped_file(kOther)}, figure());
     EXPECT_FALSE(arrival.take()) << "it begins";
     EXPECT_FALSE(arrival.is_due());
@@ -53,7 +53,7 @@ TEST(FileArrival, is_read_beside_the_thread_that_asks_and_given_up_for_what_is_a
 }
 
 TEST(FileArrival, is_read_anew_for_a_model_that_stands_otherwise) {
-    FileArrival arrival([](const DroppedFiles&) {});
+    FileArrival arrival([](DroppedFiles&) {});
     arrival.ask_again(figure());
     EXPECT_FALSE(arrival.is_awaited()) << "nothing was asked for";
     arrival.ask({dropped_file(kDance)}, figure("head"));
