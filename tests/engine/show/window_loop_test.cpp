@@ -10,6 +10,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <thread>
@@ -53,6 +54,11 @@ class Watched final : public WindowContent {
         const render::Dancer dancer = picture.bodies.still(pose);
         picture.renderer.draw(picture.scene, std::span(&dancer, 1), picture.target);
         worn = picture.bodies.avatar().name;
+        const std::vector<motion::PoseTrack> tracks(kDancers);
+        worn_in_turn.clear();
+        for (const render::Dancer& one : picture.bodies.at({.tracks = tracks}, {}, {})) {
+            worn_in_turn.insert(one.avatar.number);
+        }
         scene = picture.scene;
         target = picture.target;
         overlay.message = "its line";
@@ -66,12 +72,14 @@ class Watched final : public WindowContent {
         return preset;
     }
 
+    static constexpr std::size_t kDancers = 3;
     static constexpr int kSettled = 10;  // pictures in which the driver does things once
 
     int own_presses = 0;
     int pictures = 0;
-    double slowest = 0.0;  // CPU time of this thread in one picture, ms
-    std::string worn;      // by the dancers
+    double slowest = 0.0;        // CPU time of this thread in one picture, ms
+    std::string worn;            // by the first dancer
+    std::set<int> worn_in_turn;  // handles of kDancers
     double shown_for = 0.0;
     render::Scene scene;
     render::FrameTarget target;
@@ -241,6 +249,19 @@ TEST_F(WindowLoopOnXvfb, a_model_that_is_dropped_is_worn_when_it_is_there) {
     // Figures, not bounds: machines differ.
     std::cout << "slowest picture before " << before.slowest << " CPU-ms, while it loads "
               << after.slowest << "\n";
+}
+
+TEST_F(WindowLoopOnXvfb, models_that_are_dropped_together_are_worn_in_turn) {
+    const Watched after =
+        shown_with({model("RiggedFigure.glb"), model("smoke_spring.vrm")}, [&](const Watched& now) {
+            return now.worn != "Raks mannequin" && now.pictures > Watched::kSettled;
+        });
+    EXPECT_EQ(after.worn_in_turn.size(), 2U);
+    EXPECT_EQ(std::count_if(said_.begin(),
+                            said_.end(),
+                            [](const std::string& line) { return line.starts_with("avatar: "); }),
+              2)
+        << "whose work each is";
 }
 
 TEST_F(WindowLoopOnXvfb, of_what_is_dropped_only_good_models_are_taken) {
