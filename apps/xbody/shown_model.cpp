@@ -28,8 +28,10 @@ constexpr double kUsualRate = 60.0;  // frames a second
 
 /// The eight corners of a box.
 std::vector<glm::vec3> corners_of(const glm::vec3& low, const glm::vec3& high) {
+    constexpr int kCorners = 8;
     std::vector<glm::vec3> corners;
-    for (int i = 0; i < 8; ++i) {
+    corners.reserve(kCorners);
+    for (int i = 0; i < kCorners; ++i) {
         corners.emplace_back((i & 1) != 0 ? high.x : low.x,
                              (i & 2) != 0 ? high.y : low.y,
                              (i & 4) != 0 ? high.z : low.z);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "base/pending_file.hpp"
 #include "tests/render/import/tiny_tds.hpp"
@@ -32,9 +34,7 @@ class DroppedFilesTest : public ::testing::Test {
             {.file = folder_ / "me.3ds", .options = {}, .motion = {}, .joints = {}});
         EXPECT_TRUE(shown) << shown.error().message;
         std::vector<DroppedFile> files;
-        for (const std::string& one : paths) {
-            files.push_back(dropped_file(one));
-        }
+        std::transform(paths.begin(), paths.end(), std::back_inserter(files), dropped_file);
         return read_dropped(files, wearer_of(*shown));
     }
 
