@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"
@@ -82,21 +83,57 @@ float soft_depth(float depth) noexcept {
     return depth >= kSoft ? depth : (depth + kSoft) * (depth + kSoft) / (4.0F * kSoft);
 }
 
+/// A ball around a capsule.
+struct Ball {
+    glm::vec3 middle{};
+    float radius = 0.0F;
+};
+
+Ball ball_around(const Capsule& capsule) noexcept {
+    return {0.5F * (capsule.from + capsule.to),
+            0.5F * glm::distance(capsule.from, capsule.to) + capsule.radius};
+}
+
+/// A body with a ball around each part: most of it is far from a hand.
+struct Obstacles {
+    BodyCapsules parts;
+    std::array<Ball, std::tuple_size_v<BodyCapsules>> balls;
+
+    Obstacles(const Girth& girth, const WorldPose& world) noexcept
+        : parts(body_capsules(girth, world)) {
+        std::transform(parts.begin(), parts.end(), balls.begin(), ball_around);
+    }
+};
+
+/// Whether the parts in two balls are so far apart that neither pushes the other.
+bool is_clear(const Ball& one, const Ball& other, float spare) noexcept {
+    constexpr float kRounding = 1e-4F;  // metres; more than the distances are off by
+    const glm::vec3 between = one.middle - other.middle;
+    const float reach = one.radius + other.radius + spare + kSoft + kRounding;
+    return glm::dot(between, between) > reach * reach;
+}
+
 /// Vector by which a hand must move to stay `spare` metres off the skin; metres, world.
 glm::vec3 push_of(const std::array<Capsule, 2>& hand,
-                  const BodyCapsules& body,
+                  const Obstacles& body,
                   const glm::vec3& outward,
                   float spare) noexcept {
     glm::vec3 push{};
-    for (int round = 0; round < kRounds; ++round) {
-        for (const Capsule& part : body) {
+    bool is_pushed = true;
+    for (int round = 0; round < kRounds && is_pushed; ++round) {
+        is_pushed = false;
+        for (std::size_t part = 0; part < body.parts.size(); ++part) {
             for (Capsule moved : hand) {
                 moved.from += push;
                 moved.to += push;
-                const Nearness near = nearness(moved, part);
+                if (is_clear(ball_around(moved), body.balls[part], spare)) {
+                    continue;
+                }
+                const Nearness near = nearness(moved, body.parts[part]);
                 const float depth = soft_depth(spare - near.metres);
                 if (depth > 0.0F) {
                     push += depth * glm::normalize(near.away + kOutward * outward);
+                    is_pushed = true;
                 }
             }
         }
@@ -154,7 +191,7 @@ std::vector<glm::vec3> smooth_pushes(const std::vector<glm::vec3>& pushes, doubl
 
 void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
     const WorldPose world = world_pose(skeleton, pose);
-    const BodyCapsules body = body_capsules(skeleton.girth, world);
+    const Obstacles body(skeleton.girth, world);
     for (const Side side : kSides) {
         const glm::vec3 push = push_of(
             hand_capsules(skeleton.girth, world, side), body, outward_of(world, side), 0.0F);
@@ -173,7 +210,7 @@ void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::ve
             for (const Pose& pose : poses) {
                 const WorldPose world = world_pose(skeleton, pose);
                 const glm::vec3 push = push_of(hand_capsules(skeleton.girth, world, side),
-                                               body_capsules(skeleton.girth, world),
+                                               Obstacles(skeleton.girth, world),
                                                outward_of(world, side),
                                                kSpare);
                 // In the frame of the hips, so that a turn of the body does not rotate the pushes
