@@ -131,8 +131,13 @@ std::size_t GlbDocument::add_sparse_vec3(std::size_t count,
                                          std::span<const std::uint32_t> places,
                                          std::span<const float> values,
                                          bool has_bounds) {
-    const std::size_t accessor = add_accessor(std::nullopt, kFloat, count, GlbType::vec3);
     constexpr std::array<float, 3> kZero{};
+    if (places.empty() && count > 0) {
+        // One zero that is stated: assimp refuses a file with an accessor that has neither a view
+        // nor sparse values.
+        return add_sparse_vec3(count, std::array<std::uint32_t, 1>{0}, kZero, has_bounds);
+    }
+    const std::size_t accessor = add_accessor(std::nullopt, kFloat, count, GlbType::vec3);
     std::vector<float> all(values.begin(), values.end());
     if (places.size() < count) {
         all.insert(all.end(), kZero.begin(), kZero.end());
