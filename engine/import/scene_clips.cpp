@@ -142,7 +142,9 @@ class ClipImport {
         ChannelKeys scales(node, ChannelPath::scale);
         for (unsigned k = 0; k < source.mNumScalingKeys; ++k) {
             const aiVectorKey& key = source.mScalingKeys[k];
-            scales.add(key.mTime / rate, {key.mValue.x, key.mValue.y, key.mValue.z});
+            const glm::vec3 scale = import_.scale_factors[static_cast<std::size_t>(node)] *
+                                    glm::vec3(key.mValue.x, key.mValue.y, key.mValue.z);
+            scales.add(key.mTime / rate, {scale.x, scale.y, scale.z});
         }
         scales.move_to(clip);
     }

@@ -114,6 +114,29 @@ void take_root(ModelNode& root, SceneImport& import) {
     root.rotation = import.turn;
 }
 
+/// Whether an FBX node is as large as it says, whatever its parent's size (Maya's bones).
+bool has_own_size(const aiNode& node) {
+    constexpr int kRrs = 2;  // InheritType of the FBX SDK: rotations alone
+    return whole(node.mMetaData, "InheritType") == kRrs;
+}
+
+/// The sizes of nodes, parents first.
+class NodeSizes {
+ public:
+    /// What the next node's scale is multiplied with, so that it is as large as it means to be
+    /// below a parent whose size it takes.
+    glm::vec3 add(const aiNode& source, const ModelNode& node, int parent) {
+        const glm::vec3 above =
+            parent < 0 ? glm::vec3(1.0F) : sizes_[static_cast<std::size_t>(parent)];
+        const bool is_apart = has_own_size(source) && above.x * above.y * above.z != 0.0F;
+        sizes_.push_back(is_apart ? node.scale : above * node.scale);
+        return is_apart ? 1.0F / above : glm::vec3(1.0F);
+    }
+
+ private:
+    std::vector<glm::vec3> sizes_;
+};
+
 }  // namespace
 
 glm::mat4 matrix_of(const aiMatrix4x4& m) {
@@ -126,6 +149,7 @@ glm::mat4 matrix_of(const aiMatrix4x4& m) {
 Expected<void> import_nodes(SceneImport& import) {
     import.turn = turn_of(import.scene.mMetaData);
     import.scale = scale_of(import.scene.mMetaData);
+    NodeSizes sizes;
     std::vector<std::pair<const aiNode*, int>> waiting{{import.scene.mRootNode, -1}};
     while (!waiting.empty()) {
         const auto [source, above] = waiting.back();
@@ -143,6 +167,8 @@ Expected<void> import_nodes(SceneImport& import) {
             take_root(node, import);
         }
         node.translation *= import.scale;
+        import.scale_factors.push_back(sizes.add(*source, node, above));
+        node.scale *= import.scale_factors.back();
         const int index = add_node(std::move(node), above, source, import);
         import.nodes.emplace(source->mName.C_Str(), index);
         for (unsigned i = source->mNumChildren; i > 0; --i) {  // the first is taken first

@@ -12,6 +12,7 @@
 #include <assimp/scene.h>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 namespace raks::engine {
 
@@ -24,6 +25,9 @@ struct SceneImport {
     std::multimap<std::string, int, std::less<>> nodes{};
     /// For each node of the model the scene's; null: it was added.
     std::vector<const aiNode*> sources{};
+    /// For each node of the model what its own scale is multiplied with: other than 1 where an FBX
+    /// says that it does not take its parent's, which all nodes of a model do.
+    std::vector<glm::vec3> scale_factors{};
     /// What turns and scales the scene to metres and y up. Nodes carry the turn at the root alone,
     /// and lengths are scaled, so that bones have no scale of their own.
     glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -14,8 +15,12 @@
 #include "base/pending_file.hpp"
 #include "render/import/foreign_model.hpp"
 #include "render/import/model_reader.hpp"
+#include "render/model/model_survey.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace raks::test {
 namespace {
@@ -143,6 +148,41 @@ TEST_F(ImportChild, brings_collada_to_metres_and_y_up) {
     EXPECT_NEAR(places[1].x, 0.0254F, 1e-7F);
     const glm::vec3 up = model->nodes.at(0).rotation * places[2];
     EXPECT_NEAR(up.y, 0.0254F, 1e-7F);
+}
+
+/// The bar of two bones with bones a hundredth as large, each as it is itself (2) or as large
+/// against its parent (1); the upper one is 100 units up in both.
+std::string bar_of_small_bones(int inherit_type, double up) {
+    std::string text =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/bent_bar_text.fbx").value();
+    const std::string small = fmt::format(
+        "P: \"InheritType\", \"enum\", \"\", \"\", {}\n"
+        "P: \"Lcl Scaling\", \"Lcl Scaling\", \"\", \"A\", 0.01, 0.01, 0.01\n",
+        inherit_type);
+    const std::string lower = "\"Model::lower\", \"LimbNode\" {\n\t\tVersion: 232\n";
+    text.insert(text.find(lower) + lower.size(), "Properties70:  {\n" + small + "}\n");
+    const std::string upper = R"(P: "Lcl Translation", "Lcl Translation", "", "A", 0, 100, 0)";
+    text.replace(
+        text.find(upper),
+        upper.size(),
+        fmt::format(
+            "P: \"Lcl Translation\", \"Lcl Translation\", \"\", \"A\", 0, {}, 0\n{}", up, small));
+    return text;
+}
+
+TEST_F(ImportChild, a_bone_that_has_its_own_size_does_not_take_that_of_its_parent) {
+    for (const auto& [inherit_type, size] : {std::pair{2, 0.01F}, std::pair{1, 0.0001F}}) {
+        const auto model = load_model(give("x.fbx", bar_of_small_bones(inherit_type, 1e4)));
+        ASSERT_TRUE(model) << model.error().message;
+        const auto upper = std::find_if(model->nodes.begin(),
+                                        model->nodes.end(),
+                                        [](const ModelNode& node) { return node.name == "upper"; });
+        ASSERT_NE(upper, model->nodes.end());
+        const glm::mat4 world =
+            rest_world(*model)[static_cast<std::size_t>(upper - model->nodes.begin())];
+        EXPECT_NEAR(world[3].y, 1.0F, 1e-5F) << inherit_type;
+        EXPECT_NEAR(glm::length(world[0]), size, 1e-3F * size) << inherit_type;
+    }
 }
 
 TEST_F(ImportChild, that_breaks_off_is_one_line) {
