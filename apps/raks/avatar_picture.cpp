@@ -95,10 +95,12 @@ render::Camera portrait_camera(const engine::AvatarModel& figure, const render::
     float half_width = 0.0F;
     float half_depth = 0.0F;  // what is deep must not come too near
     if (figure.model.character.humanoid.nodes[motion::index_of(Bone::head)] >= 0) {
-        const float head =
-            motion::world_pose(avatar.skeleton, pose_at_ease(avatar)).position(Bone::head).y;
-        // As much below the head's joint as a chest is long.
-        low = head - 0.27F * render::size_of(avatar);
+        const motion::WorldPose world = motion::world_pose(avatar.skeleton, pose_at_ease(avatar));
+        // As much below the head's joint as a chest is long. Of some figures that joint is at the
+        // top of a large head, so at least down to the armpits.
+        const float size = render::size_of(avatar);
+        low = std::min(world.position(Bone::head).y - 0.27F * size,
+                       world.position(Bone::left_upper_arm).y - 0.08F * size);
     } else {
         half_width = scale * std::max(box->high.x, -box->low.x);
         half_depth = scale * std::max(box->high.z, 0.0F);
