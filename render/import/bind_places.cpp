@@ -63,6 +63,41 @@ glm::mat4 world_from_skin(const Model& model,
     return best;
 }
 
+/// The skin of the most joints says first how a figure stands.
+std::vector<const ModelSkin*> largest_first(const std::vector<ModelSkin>& skins) {
+    std::vector<const ModelSkin*> sorted;
+    sorted.reserve(skins.size());
+    for (const ModelSkin& skin : skins) {
+        sorted.push_back(&skin);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(), [](const ModelSkin* a, const ModelSkin* b) {
+        return a->joints.size() > b->joints.size();
+    });
+    return sorted;
+}
+
+/// Whether a skin was bound in the pose of those before: joints that it shares with them are where
+/// it has them, too, but for a little of what it spans. `bound`: world of its joints.
+bool is_same_stance(const ModelSkin& skin,
+                    std::span<const glm::mat4> bound,
+                    std::span<const glm::mat4> world,
+                    const std::vector<bool>& is_bound) {
+    constexpr float kSlack = 0.02F;
+    glm::vec3 lowest(bound.front()[3]);
+    glm::vec3 highest = lowest;
+    float farthest = 0.0F;
+    for (std::size_t j = 0; j < bound.size(); ++j) {
+        const auto node = static_cast<std::size_t>(skin.joints[j]);
+        const glm::vec3 place(bound[j][3]);
+        lowest = glm::min(lowest, place);
+        highest = glm::max(highest, place);
+        if (is_bound[node]) {
+            farthest = std::max(farthest, glm::distance(place, glm::vec3(world[node][3])));
+        }
+    }
+    return farthest <= kSlack * glm::distance(lowest, highest);
+}
+
 /// Where a vertex is: by its joints, or by the node that shows it.
 glm::vec3 vertex_place(const ModelPrimitive& primitive,
                        std::size_t vertex,
@@ -125,17 +160,23 @@ std::vector<glm::mat4> bind_world(const Model& model) {
     std::vector<glm::mat4> world = rest_world(model);
     const std::vector<glm::mat4> rest = world;
     std::vector<bool> is_bound(model.nodes.size(), false);
-    for (const ModelSkin& skin : model.skins) {
-        const std::vector<glm::mat4> bound = bound_joints(skin);
+    for (const ModelSkin* skin : largest_first(model.skins)) {
+        std::vector<glm::mat4> bound = bound_joints(*skin);
         if (bound.empty()) {
             continue;
         }
-        const glm::mat4 from_skin = world_from_skin(model, skin, bound, rest);
+        const glm::mat4 from_skin = world_from_skin(model, *skin, bound, rest);
+        for (glm::mat4& joint : bound) {
+            joint = from_skin * joint;
+        }
+        if (!is_same_stance(*skin, bound, world, is_bound)) {
+            continue;
+        }
         for (std::size_t j = 0; j < bound.size(); ++j) {
-            const auto node = static_cast<std::size_t>(skin.joints[j]);
+            const auto node = static_cast<std::size_t>(skin->joints[j]);
             if (!is_bound[node]) {
                 is_bound[node] = true;
-                world[node] = from_skin * bound[j];
+                world[node] = bound[j];
             }
         }
     }

@@ -14,7 +14,8 @@ namespace raks::render {
 /// World from each node as the skins were bound, which is a standing pose, where the transforms as
 /// stored (rest_world) may be a frame of an animation: joints by their inverse bind matrices, what
 /// hangs on them as stored against them, all else as stored. Skins without such matrices, or with
-/// ones that cannot be inverted, are as stored.
+/// ones that cannot be inverted, are as stored; so are joints that only such skins have as were
+/// bound in another pose than the largest.
 [[nodiscard]] std::vector<glm::mat4> bind_world(const Model& model);
 
 /// Origins of nodes.

@@ -330,6 +330,33 @@ TEST(StandingFigure, a_pose_of_an_animation_is_no_bind_pose) {
     }
 }
 
+TEST(StandingFigure, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
+    // The small skin is first in the file, was bound with arms hanging, and alone has the helper.
+    Model model = test::small_figure();
+    constexpr int kLowerArm = 7;
+    test::add_node(model, "helper", kLowerArm, {0.0F, 0.01F, 0.0F});
+    const auto helper = static_cast<int>(model.nodes.size()) - 1;
+    const std::vector<glm::mat4> rest = rest_world(model);
+    Model hanging = model;
+    hanging.nodes[6].rotation = glm::angleAxis(-0.8F, glm::vec3(0.0F, 0.0F, 1.0F));
+    const std::vector<glm::mat4> other = rest_world(hanging);
+    model.skins.resize(2);
+    const auto bind = [&model](std::size_t skin, int node, const glm::mat4& world) {
+        model.skins[skin].joints.push_back(node);
+        model.skins[skin].inverse_bind.push_back(glm::inverse(world));
+    };
+    for (const int node : {6, kLowerArm, helper}) {
+        bind(0, node, other[static_cast<std::size_t>(node)]);
+    }
+    for (int node = 0; node < helper; ++node) {
+        bind(1, node, rest[static_cast<std::size_t>(node)]);
+    }
+    const std::vector<glm::mat4> world = bind_world(model);
+    for (std::size_t node = 0; node < rest.size(); ++node) {
+        EXPECT_LT(glm::length(glm::vec3(world[node][3] - rest[node][3])), 1e-4F) << node;
+    }
+}
+
 TEST(StandingFigure, arms_are_brought_level_and_legs_down) {
     Model model = test::small_figure();
     for (const int arm : {6, 12}) {  // an A-pose
