@@ -80,6 +80,8 @@ Expected<Posed> load_posed(const AvatarPoseArguments& arguments, const Path& fil
 struct Motion {
     std::function<motion::Pose(double)> pose_at;  // seconds
     std::function<render::Face(double)> face_at;
+    /// What the clip moves besides bones; none: nothing.
+    std::function<void(double, const render::JointTree&, render::JointState&)> move_others{};
     double duration = 0.0;  // seconds to the last pose
     double rate = 1.0;      // poses a second
 };
@@ -110,8 +112,12 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
     if (!joints) {
         return fail(std::move(joints.error()));
     }
-    auto clip = engine::AvatarClip::load(
-        arguments.motion, posed.hips, {file, arguments.options.labels, std::move(*joints)});
+    auto clip = engine::AvatarClip::load(arguments.motion,
+                                         posed.hips,
+                                         {.avatar = file,
+                                          .labels = arguments.options.labels,
+                                          .joints = std::move(*joints),
+                                          .others = render::OtherNodes::moved});
     if (!clip) {
         return fail(std::move(clip.error()));
     }
@@ -122,6 +128,10 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
         .pose_at = [shared](double seconds) { return shared->pose_at(seconds); },
         .face_at =
             [shared](double seconds) { return shared->face_at(seconds).value_or(render::Face()); },
+        .move_others =
+            [shared](double seconds, const render::JointTree& tree, render::JointState& state) {
+                shared->move_others(seconds, tree, state);
+            },
         .duration = duration,
         .rate = rate};
 }
@@ -168,6 +178,7 @@ class Mover {
         if (has_springs_) {
             swing_to(seconds);
         }
+        move_others(seconds);
         render::pose_avatar(
             rig_, motion_.pose_at(seconds), motion_.face_at(seconds), kOwnBody, state_);
         return state_;
@@ -176,7 +187,14 @@ class Mover {
  private:
     static constexpr float kOwnBody = 1.0F;  // poses are on this body already
 
+    void move_others(double seconds) {
+        if (motion_.move_others) {
+            motion_.move_others(seconds, rig_.tree, state_.joints);
+        }
+    }
+
     void swing_to(double seconds) {
+        move_others(seconds);
         render::advance(
             rig_,
             stream_time_from_seconds(seconds),

@@ -189,7 +189,8 @@ Expected<engine::AvatarClip> load_motion(const std::string& motion, const Motion
                                     {.avatar = wearer.plan.file,
                                      .labels = wearer.plan.options.labels,
                                      .joints = wearer.plan.joints,
-                                     .own_labels = wearer.labels});
+                                     .own_labels = wearer.labels,
+                                     .others = render::OtherNodes::moved});
 }
 
 void wear(std::string motion, engine::AvatarClip clip, ShownModel& model) {
@@ -212,6 +213,11 @@ void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown) {
     }
     shown.face =
         model.clip ? model.clip->face_at(seconds).value_or(render::Face()) : render::Face();
+    const render::JointTree& tree = model.avatar->rig->tree;
+    render::go_to_rest(tree.joints, shown.state.joints);  // a clip before may have moved others
+    if (model.clip) {
+        model.clip->move_others(seconds, tree, shown.state.joints);
+    }
     render::pose_avatar(*model.avatar->rig, shown.pose, shown.face, 1.0F, shown.state);
 }
 

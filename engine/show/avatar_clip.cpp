@@ -38,9 +38,18 @@ render::BoneRest rest_of(const render::Model& model, const render::StandingFigur
     for (std::size_t bone = 0; bone < rest.world.size(); ++bone) {
         const int node = model.character.humanoid.nodes[bone];
         rest.world[bone] = motion::kNoRotation;
-        if (node >= 0) {
-            rest.world[bone] = figure.straighten[bone] *
-                               render::rotation_of(figure.world[static_cast<std::size_t>(node)]);
+        rest.above[bone] = motion::kNoRotation;
+        if (node < 0) {
+            continue;
+        }
+        rest.world[bone] = figure.straighten[bone] *
+                           render::rotation_of(figure.world[static_cast<std::size_t>(node)]);
+        const int above = model.nodes[static_cast<std::size_t>(node)].parent;
+        const int upper = render::mapped_parent(model.character.humanoid, static_cast<int>(bone));
+        if (above >= 0 && upper >= 0) {
+            // What hangs between two bones stands with the upper one.
+            rest.above[bone] = figure.straighten[static_cast<std::size_t>(upper)] *
+                               render::rotation_of(figure.world[static_cast<std::size_t>(above)]);
         }
     }
     return rest;
@@ -51,8 +60,11 @@ render::BoneRest rest_of(const render::Model& model, const render::StandingFigur
 /// Makes clips of the kinds of files.
 class AvatarClipReader {
  public:
-    AvatarClipReader(fs::path file, std::string name, const glm::vec3& hips)
-        : file_(std::move(file)), name_(std::move(name)), hips_(hips) {}
+    AvatarClipReader(fs::path file,
+                     std::string name,
+                     const glm::vec3& hips,
+                     render::OtherNodes others)
+        : file_(std::move(file)), name_(std::move(name)), hips_(hips), others_(others) {}
 
     Expected<AvatarClip> read_skeleton(const motion::JointLabels& joints) const {
         auto clip = motion::read_skeleton_motion(file_, {});
@@ -168,7 +180,7 @@ class AvatarClipReader {
     AvatarClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
         const render::StandingFigure figure = render::stand_up(*model);
         const auto sampler =
-            std::make_shared<render::NodeClip>(*model, index, rest_of(*model, figure));
+            std::make_shared<render::NodeClip>(*model, index, rest_of(*model, figure), others_);
         const auto hips_node = static_cast<std::size_t>(model->character.humanoid.nodes[0]);
         // Over the floor that it stands on, wherever the file has that.
         const float floor = render::mesh_box(*model, figure.world).lowest.y;
@@ -182,6 +194,13 @@ class AvatarClipReader {
             pose.hips_position *= scale;
             return pose;
         };
+        if (others_ == render::OtherNodes::moved) {
+            clip.others_ = [model, sampler](double seconds,
+                                            const render::JointTree& tree,
+                                            render::JointState& state) {
+                sampler->move_others(static_cast<float>(seconds), tree, state);
+            };
+        }
         clip.warnings_ = model->warnings;
         return clip;
     }
@@ -189,6 +208,7 @@ class AvatarClipReader {
     fs::path file_;
     std::string name_;
     glm::vec3 hips_;
+    render::OtherNodes others_;
 };
 
 fs::path AvatarClip::file_of(const std::string& argument) {
@@ -199,7 +219,10 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
                                       const glm::vec3& hips,
                                       const AvatarClipOptions& options) {
     const auto [file, name] = motion::clip_address(argument);
-    const AvatarClipReader reader(file, name, hips);
+    std::error_code ignored;
+    const bool is_own = !options.avatar.empty() && fs::equivalent(file, options.avatar, ignored);
+    const AvatarClipReader reader(
+        file, name, hips, is_own ? options.others : render::OtherNodes::folded);
     // Faces and VRM's own bones are more than a motion clip holds, so models have a way of their
     // own.
     const auto start = read_file_start(file, motion::kMotionFormatBytes);
@@ -217,8 +240,6 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
         return fail(file.string() +
                     ": is a model, whose bones --labels says; leave --joint and --joints out");
     }
-    std::error_code ignored;
-    const bool is_own = !options.avatar.empty() && fs::equivalent(file, options.avatar, ignored);
     return is_own ? reader.read_model(options.labels, options.own_labels)
                   : reader.read_model({}, {});
 }

@@ -11,6 +11,8 @@
 #include "motion/skeleton/joint_labels.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/face.hpp"
+#include "render/avatar/joint_tree.hpp"
+#include "render/avatar/node_clip.hpp"
 #include "render/import/humanoid_labels.hpp"
 
 #include <glm/vec3.hpp>
@@ -25,6 +27,8 @@ struct AvatarClipOptions {
     motion::JointLabels joints{};  ///< which joint of a clip that is no model is which bone
     /// Labels of that model, in the place of its file's; none: the file's.
     std::optional<render::BoneLabels> own_labels{};
+    /// Whether AvatarClip::move_others is called for each pose of a clip of that model itself.
+    render::OtherNodes others = render::OtherNodes::folded;
 };
 
 /// A clip on a body: of a VRMA, of a glTF (its own), of a BVH, or a figure of a written dance, at
@@ -53,6 +57,17 @@ class AvatarClip {
         return face_ ? std::optional(face_(seconds)) : std::nullopt;
     }
 
+    /// Moves what is no bone (helpers, hair, parts of a face) on the model whose own clip this is,
+    /// where AvatarClipOptions::others says so; else nothing. To be called before
+    /// render::pose_avatar. `tree`: of the model that AvatarClipOptions names.
+    void move_others(double seconds,
+                     const render::JointTree& tree,
+                     render::JointState& state) const {
+        if (others_) {
+            others_(seconds, tree, state);
+        }
+    }
+
     /// The file of an argument, without the clip's name.
     [[nodiscard]] static std::filesystem::path file_of(const std::string& argument);
 
@@ -61,6 +76,7 @@ class AvatarClip {
 
     std::function<motion::Pose(double)> pose_;
     std::function<render::Face(double)> face_;
+    std::function<void(double, const render::JointTree&, render::JointState&)> others_;
     double duration_ = 0.0;
     double rate_ = 60.0;
     std::vector<std::string> warnings_;

@@ -98,13 +98,19 @@ JointTree build_joint_tree(const Model& model, float scale) {
     return tree;
 }
 
+void go_to_rest(std::span<const Joint> joints, JointState& state) noexcept {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        state.translations[i] = joints[i].translation;
+        state.rotations[i] = joints[i].rotation;
+    }
+}
+
 JointState rest_state(std::span<const Joint> joints) {
     JointState state;
-    for (const Joint& joint : joints) {
-        state.translations.push_back(joint.translation);
-        state.rotations.push_back(joint.rotation);
-    }
+    state.translations.resize(joints.size());
+    state.rotations.resize(joints.size());
     state.world.resize(joints.size());
+    go_to_rest(joints, state);
     update_world(joints, state);
     return state;
 }

@@ -52,6 +52,10 @@ struct JointState {
 /// The state at rest.
 [[nodiscard]] JointState rest_state(std::span<const Joint> joints);
 
+/// Puts translations and rotations back to where they rest; `world` is not computed.
+/// Threads: any. Real-time: yes.
+void go_to_rest(std::span<const Joint> joints, JointState& state) noexcept;
+
 /// The state in a model's T-pose. `t_pose`: local rotations by node; empty: it is the rest pose, as
 /// in all VRM.
 [[nodiscard]] JointState t_pose_state(const Model& model,

@@ -30,8 +30,11 @@ BoneRest rest_of(const Model& model) {
     BoneRest bones;
     for (std::size_t bone = 0; bone < bones.world.size(); ++bone) {
         const int joint = tree.joint_of(model.character.humanoid.nodes[bone]);
+        const int above = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].parent;
         bones.world[bone] = joint < 0 ? motion::kNoRotation
                                       : rotation_of(rest.world[static_cast<std::size_t>(joint)]);
+        bones.above[bone] = above < 0 ? motion::kNoRotation
+                                      : rotation_of(rest.world[static_cast<std::size_t>(above)]);
     }
     return bones;
 }
@@ -87,6 +90,37 @@ TEST(NodeClip, a_node_between_two_bones_turns_the_lower_one) {
     const motion::Pose pose = NodeClip(model, 0, rest).pose_at(0.0F);
     EXPECT_TRUE(is_same_rotation(pose.rotation(Bone::chest), motion::kNoRotation));
     EXPECT_TRUE(is_same_rotation(pose.rotation(Bone::upper_chest), turn));
+}
+
+TEST(NodeClip, others_that_are_moved_show_the_clip_as_it_is) {
+    Model model = crooked_humanoid_model();
+    HumanoidMap& map = model.character.humanoid;
+    const int head = map.nodes[motion::index_of(Bone::head)];
+    add_node(model, "tip", add_node(model, "hair", head, {0.0F, 0.2F, 0.0F}), {0.1F, 0.0F, 0.0F});
+    // Between two bones, as what twists a forearm is.
+    map.nodes[motion::index_of(Bone::chest)] = -1;
+    map.nodes[motion::index_of(Bone::left_hand)] = -1;
+    const AvatarRig rig = build_rig(model);
+    RigState meant(rig);
+    for (std::size_t joint = 1; joint < rig.tree.joints.size(); ++joint) {
+        const float angle = 0.1F * static_cast<float>(1 + joint % 5);
+        meant.joints.rotations[joint] =
+            meant.joints.rotations[joint] * turn_about_x(angle) * turn_about_y(-angle);
+    }
+    update_world(rig.tree.joints, meant.joints);
+    add_clip(rig, meant.joints, model);
+    NodeClip clip(model, 0, rest_of(model), OtherNodes::moved);
+    RigState state(rig);
+    const motion::Pose pose = clip.pose_at(1.0F);
+    clip.move_others(1.0F, rig.tree, state.joints);
+    pose_joints(rig, pose, 1.0F, state);
+    for (std::size_t joint = 0; joint < rig.tree.joints.size(); ++joint) {
+        const glm::mat4& is = state.joints.world[joint];
+        const glm::mat4& should_be = meant.joints.world[joint];
+        EXPECT_LT(glm::distance(is[3], should_be[3]), 1e-4F) << rig.tree.joints[joint].name;
+        EXPECT_TRUE(is_same_rotation(rotation_of(is), rotation_of(should_be), 2e-3F))
+            << rig.tree.joints[joint].name;
+    }
 }
 
 TEST(NodeClip, a_model_that_faces_elsewhere_is_turned_to_the_front) {
