@@ -1,5 +1,6 @@
-// A dance that we write as VRMA, as Khronos' validator and pixiv's three-vrm-animation read it.
-// Skipped, with a word, where node, npm or the network is missing.
+// What other programs make of files that we write: a dance as VRMA in Khronos' validator and
+// pixiv's three-vrm-animation, a dance as GLB in three.js as a browser draws it, avatars in `assimp
+// info`. Skipped, with a word, where node, npm, the network, Chromium or assimp is missing.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -54,7 +55,11 @@ class IndependentReaders : public ProgramTest {
         }
         const std::string lock = read_file(kHere / "package-lock.json").value();
         const fs::path stamp = kPackages / "installed.json";
-        for (const char* name : {"package.json", "package-lock.json", "check_vrma.mjs"}) {
+        for (const char* name : {"package.json",
+                                 "package-lock.json",
+                                 "check_vrma.mjs",
+                                 "check_picture.mjs",
+                                 "picture_page.html"}) {
             fs::copy_file(kHere / name, kPackages / name, fs::copy_options::overwrite_existing);
         }
         if (read_file(stamp).value_or("") == lock) {
@@ -67,6 +72,18 @@ class IndependentReaders : public ProgramTest {
         }
         ASSERT_EQ(fetched.exit_code, 0) << fetched.err;
         ASSERT_TRUE(write_file(stamp, lock));
+    }
+
+    /// Six seconds of salsa to music of ours.
+    void dance_to(const std::string& output) {
+        audio::MusicPlan plan;
+        plan.style = audio::Style::montuno;
+        plan.tempo = {{0.0, 180.0}};
+        plan.seconds = 6.0;
+        write_music("song.wav", plan);
+        const auto danced =
+            run({"dance", path("song.wav"), "--dance", "salsa", "-o", path(output)});
+        ASSERT_EQ(danced.exit_code, 0) << danced.err;
     }
 
     /// What the others say of a clip on a model.
@@ -89,14 +106,7 @@ class IndependentReaders : public ProgramTest {
 };
 
 TEST_F(IndependentReaders, find_no_fault_in_a_dance_and_pose_the_same_joints) {
-    audio::MusicPlan plan;
-    plan.style = audio::Style::montuno;
-    plan.tempo = {{0.0, 180.0}};
-    plan.seconds = 6.0;
-    write_music("song.wav", plan);
-    const auto danced =
-        run({"dance", path("song.wav"), "--dance", "salsa", "-o", path("dance.vrma")});
-    ASSERT_EQ(danced.exit_code, 0) << danced.err;
+    dance_to("dance.vrma");
     for (const char* name : {"Godette_vrm_v4.vrm", "smoke_spring.vrm"}) {
         const nlohmann::json said = check(path("dance.vrma"), kModels / name);
         ASSERT_TRUE(said.is_object()) << name;
@@ -106,6 +116,55 @@ TEST_F(IndependentReaders, find_no_fault_in_a_dance_and_pose_the_same_joints) {
         EXPECT_GT(said["compared"].get<int>(), 500);
         // A tenth of a millimetre: floats of two programs.
         EXPECT_LT(said["worst"].get<double>(), 1e-4) << name << ": " << said["where"];
+    }
+}
+
+TEST_F(IndependentReaders, draw_a_dance_as_we_do) {
+    dance_to("dance.glb");
+    const auto drawn = run({"avatar",
+                            "pose",
+                            path("dance.glb"),
+                            "--motion",
+                            path("dance.glb"),
+                            "--time",
+                            "3",
+                            "-o",
+                            path("ours.png")});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    const auto said = run_there(
+        {"node", "check_picture.mjs", path("dance.glb"), "3", path("ours.png"), path("both.png")});
+    ASSERT_EQ(said.exit_code, 0) << said.err;
+    const auto answer = nlohmann::json::parse(said.out);
+    if (answer.contains("skipped")) {
+        GTEST_SKIP() << answer["skipped"].get<std::string>();
+    }
+    ASSERT_TRUE(answer.contains("overlap")) << said.out;
+    EXPECT_GT(answer["ours"].get<int>(), 20'000) << said.out;
+    // 0.94 to 0.97 here: light and edges differ.
+    EXPECT_GT(answer["overlap"].get<double>(), 0.9) << said.out;
+}
+
+class ForeignPrograms : public ProgramTest {};
+
+TEST_F(ForeignPrograms, assimp_finds_no_fault_in_exported_avatars) {
+    ProcessPlan plan;
+    plan.command = {"assimp", "version"};
+    if (run_process(plan).exit_code != 0) {
+        GTEST_SKIP() << "assimp-utils is not installed";
+    }
+    for (const std::string ending : {"glb", "3ds", "obj"}) {
+        for (const char* from : {"", "RiggedFigure.glb", "smoke_spring.vrm"}) {
+            std::vector<std::string> words = {"avatar", "export", path("x." + ending)};
+            if (*from != '\0') {
+                words.insert(words.end(), {"--from", (kModels / from).string()});
+            }
+            const auto exported = run(words);
+            ASSERT_EQ(exported.exit_code, 0) << exported.err;
+            plan.command = {"assimp", "info", path("x." + ending)};
+            const auto said = run_process(plan);
+            EXPECT_EQ(said.exit_code, 0) << ending << " of " << from << ": " << said.out;
+            EXPECT_EQ((said.out + said.err).find("ERROR"), std::string::npos) << said.out;
+        }
     }
 }
 
