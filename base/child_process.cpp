@@ -76,6 +76,7 @@ Expected<pid_t> spawn_child(const ChildStart& start) {
     std::vector<std::string> words{start.program.string()};
     words.insert(words.end(), start.arguments.begin(), start.arguments.end());
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) {
         arguments.push_back(word.data());
     }

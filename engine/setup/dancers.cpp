@@ -145,7 +145,7 @@ Expected<Dancers> Dancers::load(const Settings& settings,
                                 int threads) {
     const auto formation = asked_formation(settings);
     if (!formation) {
-        return fail(std::move(formation.error()));
+        return fail(formation.error());
     }
     Parts parts = parts_of(*formation, bodies_in(*formation, bodies));
     DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads};
