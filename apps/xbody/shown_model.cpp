@@ -39,32 +39,38 @@ std::vector<glm::vec3> corners_of(const glm::vec3& low, const glm::vec3& high) {
     return corners;
 }
 
-// Adds the places of what the bones of a figure move, or of all joints of a thing but those that
-// are farther from it than it is large: what carries nothing may be anywhere. `points`: a body's
-// box.
-void add_joints(const ShownModel& model,
-                const ShownPose& shown,
-                float largest,
-                std::vector<glm::vec3>& points) {
-    const render::JointTree& tree = model.avatar->rig->tree;
-    const auto place = [&](int joint) {
-        return glm::vec3(shown.state.joints.world[static_cast<std::size_t>(joint)][3]);
-    };
+/// Adds the places of a figure's bones, and of its fingertips.
+void add_bones(const ShownModel& model, const ShownPose& shown, std::vector<glm::vec3>& points) {
+    constexpr float kHand = 0.8F;  // of a forearm, from the hand's joint to the tips
     const render::HumanoidMap& humanoid = model.figure.model.character.humanoid;
-    if (render::missing_bones(humanoid).empty()) {
-        for (const int node : humanoid.nodes) {
-            const int joint = node < 0 ? -1 : tree.joint_of(node);
-            if (joint >= 0) {
-                points.push_back(place(joint));
-            }
+    const auto place = [&](motion::Bone bone) -> std::optional<glm::vec3> {
+        const int joint = model.avatar->rig->tree.joint_of(humanoid.nodes[motion::index_of(bone)]);
+        return joint < 0 ? std::nullopt
+                         : std::optional<glm::vec3>(
+                               shown.state.joints.world[static_cast<std::size_t>(joint)][3]);
+    };
+    for (std::size_t bone = 0; bone < humanoid.nodes.size(); ++bone) {
+        if (const auto there = place(static_cast<motion::Bone>(bone))) {
+            points.push_back(*there);
         }
-        return;
     }
+    for (const motion::Side side : motion::kSides) {
+        const auto elbow = place(on_side(motion::Bone::left_lower_arm, side));
+        const auto hand = place(on_side(motion::Bone::left_hand, side));
+        if (elbow && hand) {
+            points.push_back(*hand + kHand * (*hand - *elbow));
+        }
+    }
+}
+
+/// Adds the places of all joints of a thing but those that are farther from it than it is large:
+/// what carries nothing may be anywhere. `points`: a body's box.
+void add_joints(const ShownPose& shown, float largest, std::vector<glm::vec3>& points) {
     const glm::vec3 middle =
         points.empty() ? glm::vec3(0.0F) : 0.5F * (points.front() + points.back());
-    for (std::size_t i = 0; i < shown.state.joints.world.size(); ++i) {
-        if (glm::distance(middle, place(static_cast<int>(i))) <= largest) {
-            points.push_back(place(static_cast<int>(i)));
+    for (const glm::mat4& world : shown.state.joints.world) {
+        if (const glm::vec3 place(world[3]); glm::distance(middle, place) <= largest) {
+            points.push_back(place);
         }
     }
 }
@@ -267,7 +273,11 @@ std::vector<glm::vec3> reached_places(const ShownModel& model, const ShownPose& 
         points.insert(points.end(), corners.begin(), corners.end());
         largest = glm::distance(corners.front(), corners.back());
     }
-    add_joints(model, shown, largest, points);
+    if (render::missing_bones(model.figure.model.character.humanoid).empty()) {
+        add_bones(model, shown, points);
+    } else {
+        add_joints(shown, largest, points);
+    }
     return points;
 }
 
