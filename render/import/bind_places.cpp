@@ -209,6 +209,19 @@ MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world) {
     return box.lowest.x <= box.highest.x ? box : MeshBox();
 }
 
+std::vector<MeshBox> node_boxes(const Model& model, std::span<const glm::mat4> world) {
+    std::vector<MeshBox> boxes(model.nodes.size());
+    std::vector<bool> is_there(model.nodes.size(), false);
+    for_each_vertex(model, world, [&](int node, const glm::vec3& place) {
+        const auto at = static_cast<std::size_t>(node);
+        const glm::vec3 offset = place - glm::vec3(world[at][3]);
+        boxes[at].lowest = is_there[at] ? glm::min(boxes[at].lowest, offset) : offset;
+        boxes[at].highest = is_there[at] ? glm::max(boxes[at].highest, offset) : offset;
+        is_there[at] = true;
+    });
+    return boxes;
+}
+
 std::vector<glm::vec3> mean_offsets(const Model& model, std::span<const glm::mat4> world) {
     std::vector<glm::vec3> sums(model.nodes.size(), glm::vec3(0.0F));
     std::vector<float> counts(model.nodes.size(), 0.0F);

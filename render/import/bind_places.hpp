@@ -29,6 +29,10 @@ struct MeshBox {
 };
 [[nodiscard]] MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world);
 
+/// Box over each node's vertices (those that it moves most) of their place against the node's
+/// origin, in the world's axes; both corners 0 where it has none.
+[[nodiscard]] std::vector<MeshBox> node_boxes(const Model& model, std::span<const glm::mat4> world);
+
 /// Mean over each node's vertices (those that it moves most) of their place against the node's
 /// origin, in the world's axes; 0 where it has none.
 [[nodiscard]] std::vector<glm::vec3> mean_offsets(const Model& model,

@@ -267,6 +267,15 @@ TEST(HumanoidMap, of_rigid_parts_needs_one_for_a_limb) {
     EXPECT_LT(glm::distance(left_arm_in_t_pose(model), glm::vec3(1, 0, 0)), 0.05F);
 }
 
+TEST(HumanoidMap, of_rigid_parts_whose_flesh_lies_about_the_joint_are_left_as_they_point) {
+    // A sleeve round the joint, higher than it; the middle of the flesh is far off the arm's line.
+    Model model = part_man();
+    ModelPrimitive& arm = model.meshes[4].primitives[0];
+    arm.positions = {{-0.3F, 0.3F, 0.0F}, {0.6F, 0.1F, 0.0F}, {-0.2F, 0.3F, 0.01F}};
+    ASSERT_TRUE(map_humanoid(model));
+    EXPECT_LT(glm::distance(left_arm_in_t_pose(model), glm::vec3(0, -1, 0)), 1e-3F);
+}
+
 TEST(HumanoidMap, of_rigid_parts_lists_what_it_needs) {
     Model model = part_man();
     model.nodes[4].name = "thing";
