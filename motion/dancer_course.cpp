@@ -139,18 +139,17 @@ double Dancer::State::energy_of_next(const MusicState& music) noexcept {
 
 void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexcept {
     const bool is_unwanted = wanted(music.genre) != genre;
-    if (is_held || (hops_unsure > kHopsToStop && !music.is_silent)) {
-        settle(music.time);
-    } else if (has_dynamics() && stop_with(music)) {
+    const bool is_lost = hops_unsure > kHopsToStop;
+    const bool is_halted = is_held || (is_lost && !music.is_silent);
+    if (!is_halted && has_dynamics() && stop_with(music)) {
         return;
-    } else if (hops_unsure > kHopsToStop ||
-               (music.ahead.is_known && music.time >= music.ahead.ends)) {
+    }
+    if (is_halted || is_lost || (music.ahead.is_known && music.time >= music.ahead.ends)) {
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
-    } else if (has_dynamics() && wait_for_bar(music)) {
-        return;
-    } else if (has_dynamics() && !is_unwanted && pause_at_phrase_end(music)) {
+    } else if (has_dynamics() &&
+               (wait_for_bar(music) || (!is_unwanted && pause_at_phrase_end(music)))) {
         return;
     } else if (has_reanchored) {
         ++reanchors;
