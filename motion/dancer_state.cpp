@@ -78,7 +78,7 @@ void Dancer::State::find(DanceId other) noexcept {
 /// The same figure at the same beat, as this repertoire has it. The difference between both bodies'
 /// poses decays like that of any change.
 void Dancer::State::go_on_from(const State& before) noexcept {
-    static_cast<Course&>(*this) = before;
+    static_cast<Course&>(*this) = static_cast<const Course&>(before);
     if (repertoire->of(before.genre) == nullptr) {
         // A dance that is not solved yet: from standing, where the other one was.
         take_up(repertoire->first());
