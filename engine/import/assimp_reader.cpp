@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -37,6 +38,10 @@ void configure(Assimp::Importer& importer) {
 
 std::string why(const Assimp::Importer& importer) {
     const std::string line = printable(importer.GetErrorString(), 200);
+    // Assimp catches it and gives its name; who set the limit has words for it.
+    if (line == std::bad_alloc().what()) {
+        throw std::bad_alloc();
+    }
     return line.empty() ? "it cannot be read" : "it cannot be read: " + line;
 }
 

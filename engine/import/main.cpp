@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
         }
         serve(argv[1]);
     } catch (const std::bad_alloc&) {
-        say(ImportKind::failed, "it takes more than 1 GiB to read");
+        say(ImportKind::failed, "it takes more than 1 GiB to read: it is damaged, or too large");
     } catch (const std::exception& problem) {
         say(ImportKind::failed, std::string("it cannot be read: ") + problem.what());
     }

@@ -194,6 +194,19 @@ TEST_F(ImportChild, that_breaks_off_is_one_line) {
     EXPECT_NE(message(load_model(file)).find("(killed by SIGSEGV)"), std::string::npos);
 }
 
+TEST_F(ImportChild, that_needs_too_much_memory_says_so) {
+#ifdef RAKS_SANITIZED
+    GTEST_SKIP() << "skipped: without a cage it may take as much as it likes";
+#endif
+    const std::string place = "<triangles count=\"1\">";
+    std::string bytes = kCollada;
+    bytes.replace(bytes.find(place), place.size(), "<polylist count=\"1\">");
+    bytes.replace(bytes.find("</triangles>"), 12, "</polylist>");
+    bytes.insert(bytes.find("<p>"), "<vcount>2147483648</vcount>");
+    EXPECT_EQ(message(read_within(20s, bytes)),
+              "it takes more than 1 GiB to read: it is damaged, or too large");
+}
+
 TEST_F(ImportChild, that_says_nonsense_is_one_line) {
     const fs::path file = give("x.dae", kCollada);
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
