@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 
 #include "render/avatar/skin_vertices.hpp"
+#include "render/import/bind_places.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -63,22 +63,6 @@ std::optional<Meeting> meeting_of(const Ray& ray, const std::array<glm::vec3, 3>
     return Meeting{at, {1.0F - u - v, u, v}};
 }
 
-/// The joint that moves a vertex most; the mesh's own node where no skin moves it.
-int mover_of(const render::Model& model,
-             int node,
-             const ModelPrimitive& primitive,
-             std::size_t at) {
-    const int skin = model.nodes[static_cast<std::size_t>(node)].skin;
-    if (skin < 0 || primitive.joints.empty()) {
-        return node;
-    }
-    const auto& weights = primitive.weights[at];
-    const auto most =
-        std::distance(weights.begin(), std::max_element(weights.begin(), weights.end()));
-    const std::uint16_t joint = primitive.joints[at][static_cast<std::size_t>(most)];
-    return model.skins[static_cast<std::size_t>(skin)].joints[joint];
-}
-
 /// The nearest surface that a ray meets.
 class NearestSurface {
  public:
@@ -117,10 +101,10 @@ class NearestSurface {
                 const auto corner =
                     std::distance(meeting->shares.begin(),
                                   std::max_element(meeting->shares.begin(), meeting->shares.end()));
-                node_ = mover_of(model_,
-                                 node,
-                                 primitive,
-                                 primitive.indices[i + static_cast<std::size_t>(corner)]);
+                node_ = render::mover_of(model_,
+                                         primitive,
+                                         primitive.indices[i + static_cast<std::size_t>(corner)],
+                                         node);
             }
         }
     }

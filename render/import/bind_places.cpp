@@ -1,9 +1,12 @@
 #include "render/import/bind_places.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "render/import/node_tree.hpp"
 #include "render/model/finite.hpp"
@@ -13,6 +16,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 namespace raks::render {
 namespace {
@@ -117,18 +121,6 @@ glm::vec3 vertex_place(const ModelPrimitive& primitive,
     return glm::vec3(place);
 }
 
-/// The node that moves a vertex most.
-int mover_of(const Model& model, const ModelPrimitive& primitive, std::size_t vertex, int node) {
-    const int skin = node_of(model, node).skin;
-    if (skin < 0 || primitive.joints.empty() || primitive.weights.empty()) {
-        return node;
-    }
-    const auto& weights = primitive.weights[vertex];
-    const auto largest = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
-                                                  weights.begin());
-    return model.skins[static_cast<std::size_t>(skin)].joints[primitive.joints[vertex][largest]];
-}
-
 /// Calls `see(node that moves it most, place)` for each vertex that is shown.
 template <typename See>
 void for_each_vertex(const Model& model, std::span<const glm::mat4> world, const See& see) {
@@ -209,19 +201,6 @@ MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world) {
     return box.lowest.x <= box.highest.x ? box : MeshBox();
 }
 
-std::vector<MeshBox> node_boxes(const Model& model, std::span<const glm::mat4> world) {
-    std::vector<MeshBox> boxes(model.nodes.size());
-    std::vector<bool> is_there(model.nodes.size(), false);
-    for_each_vertex(model, world, [&](int node, const glm::vec3& place) {
-        const auto at = static_cast<std::size_t>(node);
-        const glm::vec3 offset = place - glm::vec3(world[at][3]);
-        boxes[at].lowest = is_there[at] ? glm::min(boxes[at].lowest, offset) : offset;
-        boxes[at].highest = is_there[at] ? glm::max(boxes[at].highest, offset) : offset;
-        is_there[at] = true;
-    });
-    return boxes;
-}
-
 std::vector<glm::vec3> mean_offsets(const Model& model, std::span<const glm::mat4> world) {
     std::vector<glm::vec3> sums(model.nodes.size(), glm::vec3(0.0F));
     std::vector<float> counts(model.nodes.size(), 0.0F);
@@ -234,6 +213,63 @@ std::vector<glm::vec3> mean_offsets(const Model& model, std::span<const glm::mat
         sums[i] /= std::max(counts[i], 1.0F);
     }
     return sums;
+}
+
+int mover_of(const Model& model, const ModelPrimitive& primitive, std::size_t vertex, int node) {
+    const int skin = node_of(model, node).skin;
+    if (skin < 0 || primitive.joints.empty() || primitive.weights.empty()) {
+        return node;
+    }
+    const auto& weights = primitive.weights[vertex];
+    const auto largest = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
+                                                  weights.begin());
+    return model.skins[static_cast<std::size_t>(skin)].joints[primitive.joints[vertex][largest]];
+}
+
+namespace {
+
+/// The unit axis along which vertices lie, by the sum of the squares of their places about their
+/// middle; 0: they are about as broad as long.
+glm::vec3 longest_axis(const Eigen::Matrix3d& squares) {
+    constexpr double kLongerThanBroad = 2.0;  // of the squares of lengths
+    if (!squares.allFinite()) {
+        return glm::vec3(0.0F);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+    const Eigen::Vector3d axis = solver.eigenvectors().col(2);
+    return solver.eigenvalues()[2] > kLongerThanBroad * solver.eigenvalues()[1]
+               ? glm::vec3(glm::dvec3(axis.x(), axis.y(), axis.z()))
+               : glm::vec3(0.0F);
+}
+
+}  // namespace
+
+std::vector<glm::vec3> flesh_directions(const Model& model, std::span<const glm::mat4> world) {
+    std::vector<glm::vec3> directions = mean_offsets(model, world);
+    std::vector<Eigen::Matrix3d> squares(directions.size(), Eigen::Matrix3d::Zero());
+    for_each_vertex(model, world, [&](int node, const glm::vec3& place) {
+        const auto at = static_cast<std::size_t>(node);
+        const glm::vec3 off = place - glm::vec3(world[at][3]) - directions[at];
+        const Eigen::Vector3d from_middle(off.x, off.y, off.z);
+        squares[at] += from_middle * from_middle.transpose();
+    });
+    std::vector<glm::vec3> axes;
+    std::transform(squares.begin(), squares.end(), std::back_inserter(axes), longest_axis);
+    // How far they reach from the joint to either end.
+    std::vector<glm::vec2> reaches(axes.size(), glm::vec2(0.0F));
+    for_each_vertex(model, world, [&](int node, const glm::vec3& place) {
+        const auto at = static_cast<std::size_t>(node);
+        const float along = glm::dot(place - glm::vec3(world[at][3]), axes[at]);
+        reaches[at] = glm::max(reaches[at], glm::vec2(along, -along));
+    });
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        constexpr float kClearly = 1.2F;
+        const auto [ahead, back] = std::pair(reaches[i].x, reaches[i].y);
+        if (std::max(ahead, back) > kClearly * std::min(ahead, back)) {
+            directions[i] = (ahead > back ? 1.0F : -1.0F) * glm::length(directions[i]) * axes[i];
+        }
+    }
+    return directions;
 }
 
 }  // namespace raks::render

@@ -1,6 +1,7 @@
 // Where the nodes of a model are as its skin was bound.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,13 +30,23 @@ struct MeshBox {
 };
 [[nodiscard]] MeshBox mesh_box(const Model& model, std::span<const glm::mat4> world);
 
-/// Box over each node's vertices (those that it moves most) of their place against the node's
-/// origin, in the world's axes; both corners 0 where it has none.
-[[nodiscard]] std::vector<MeshBox> node_boxes(const Model& model, std::span<const glm::mat4> world);
+/// The node that moves a vertex of a primitive most, which `node` shows: a joint of its skin, or
+/// the node itself.
+[[nodiscard]] int mover_of(const Model& model,
+                           const ModelPrimitive& primitive,
+                           std::size_t vertex,
+                           int node);
 
 /// Mean over each node's vertices (those that it moves most) of their place against the node's
 /// origin, in the world's axes; 0 where it has none.
 [[nodiscard]] std::vector<glm::vec3> mean_offsets(const Model& model,
                                                   std::span<const glm::mat4> world);
+
+/// Where each node's vertices reach from its origin, in the world's axes: along what they have
+/// longest, as the joint may lie beside a limb, to the end that is farther from the joint. The mean
+/// offset where they are about as broad as long, or reach as far both ways. As long as the mean
+/// offset; 0 where it has none.
+[[nodiscard]] std::vector<glm::vec3> flesh_directions(const Model& model,
+                                                      std::span<const glm::mat4> world);
 
 }  // namespace raks::render

@@ -94,32 +94,6 @@ glm::quat turn_to_front(const Model& model, std::span<const glm::vec3> places) {
                                    : glm::angleAxis(-yaw, glm::vec3(0.0F, 1.0F, 0.0F));
 }
 
-/// How far a box reaches from the origin.
-float reach_of(const MeshBox& box, const glm::vec3& direction) {
-    const glm::vec3 farthest = glm::max(box.lowest * direction, box.highest * direction);
-    return farthest.x + farthest.y + farthest.z;
-}
-
-/// Whether flesh that lies about its joint, so that its middle says little, reaches clearly farther
-/// in a direction than across. `flesh`: its middle.
-bool reaches_most(const MeshBox& box, const glm::vec3& flesh, const glm::vec3& direction) {
-    constexpr float kAbout = 0.45F;  // of what it reaches, its middle's distance from the joint
-    constexpr float kClearly = 1.2F;
-    constexpr float kAcross = 0.5F;  // cosine to the direction
-    float across = 0.0F;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const float sign : {-1.0F, 1.0F}) {
-            glm::vec3 way(0.0F);
-            way[axis] = sign;
-            if (std::abs(glm::dot(way, direction)) < kAcross) {
-                across = std::max(across, reach_of(box, way));
-            }
-        }
-    }
-    const float reach = reach_of(box, direction);
-    return glm::length(flesh) < kAbout * reach && reach > kClearly * across;
-}
-
 /// Straightens the limbs of a figure that faces +z.
 class Straightener {
  public:
@@ -127,8 +101,7 @@ class Straightener {
         : humanoid_(model.character.humanoid), world_(world), places_(places_of(world)) {
         rotations_.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
         if (humanoid_.is_of_parts) {
-            offsets_ = mean_offsets(model, world);
-            boxes_ = node_boxes(model, world);
+            flesh_ = flesh_directions(model, world);
         }
     }
 
@@ -173,15 +146,13 @@ class Straightener {
                    places_[static_cast<std::size_t>(node)];
         }
         const bool is_hand = bone == Bone::left_hand || bone == Bone::right_hand;
-        if (offsets_.empty() || is_hand) {
+        if (flesh_.empty() || is_hand) {
             return glm::vec3(0.0F);
         }
         constexpr float kAboutRight = 0.9F;  // cosine of 26 degrees
-        const glm::vec3& flesh = offsets_[static_cast<std::size_t>(node)];
-        const bool is_right =
-            glm::dot(flesh, direction) >= kAboutRight * glm::length(flesh) ||
-            reaches_most(boxes_[static_cast<std::size_t>(node)], flesh, direction);
-        return is_right ? glm::vec3(0.0F) : flesh;
+        const glm::vec3& flesh = flesh_[static_cast<std::size_t>(node)];
+        return glm::dot(flesh, direction) < kAboutRight * glm::length(flesh) ? flesh
+                                                                             : glm::vec3(0.0F);
     }
 
     /// Turns `bone` as `before` is turned, and then by the shortest way so that it points in
@@ -199,8 +170,7 @@ class Straightener {
     const HumanoidMap& humanoid_;
     std::span<const glm::mat4> world_;
     std::vector<glm::vec3> places_;
-    std::vector<glm::vec3> offsets_;  // of parts: the middle of the flesh against the joint
-    std::vector<MeshBox> boxes_;      // of parts: the flesh against the joint
+    std::vector<glm::vec3> flesh_;  // of parts (flesh_directions)
     std::array<glm::quat, motion::kBoneCount> rotations_{};
 };
 

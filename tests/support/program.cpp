@@ -1,5 +1,6 @@
 #include "tests/support/program.hpp"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,8 @@ std::string run_program(const std::vector<std::string>& command) {
     constexpr int kNotFound = 127;
     ProcessPlan plan;
     plan.command = command;
+    // Only what hangs takes so long, however busy the machine is.
+    plan.timeout = std::chrono::minutes(10);
     ProcessResult result = run_process(plan);
     if (result.exit_code == kNotFound) {
         throw std::runtime_error(command.front() +

@@ -276,6 +276,15 @@ TEST(HumanoidMap, of_rigid_parts_whose_flesh_lies_about_the_joint_are_left_as_th
     EXPECT_LT(glm::distance(left_arm_in_t_pose(model), glm::vec3(0, -1, 0)), 1e-3F);
 }
 
+TEST(HumanoidMap, of_rigid_parts_lifts_an_arm_along_its_flesh_though_its_joint_lies_beside_it) {
+    Model model = part_man();
+    for (glm::vec3& place : model.meshes[4].primitives.front().positions) {
+        place.x -= 0.2F;
+    }
+    ASSERT_TRUE(map_humanoid(model));
+    EXPECT_LT(glm::distance(left_arm_in_t_pose(model), glm::vec3(1, 0, 0)), 0.05F);
+}
+
 TEST(HumanoidMap, of_rigid_parts_lists_what_it_needs) {
     Model model = part_man();
     model.nodes[4].name = "thing";
@@ -340,7 +349,8 @@ TEST(StandingFigure, a_pose_of_an_animation_is_no_bind_pose) {
 }
 
 TEST(StandingFigure, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
-    // The small skin is first in the file, was bound with arms hanging, and alone has the helper.
+    // The small skin is first in the file, was bound with arms hanging, and alone has the
+    // helper.
     Model model = test::small_figure();
     constexpr int kLowerArm = 7;
     test::add_node(model, "helper", kLowerArm, {0.0F, 0.01F, 0.0F});
