@@ -58,16 +58,22 @@ struct DanceLoader {
     DanceForm form;
     std::vector<SolvedPart> parts;
     int threads = 1;
+    StopSolving stop;
 
-    // One a part. Errors: that of the first part for which it cannot be solved.
+    // One a part. Errors: that of the first part for which it cannot be solved; a stop.
     [[nodiscard]] Expected<Libraries> solve(const std::string& dance) const {
         std::vector<std::optional<Expected<std::shared_ptr<const motion::DanceLibrary>>>> solved(
             parts.size());
         run_parallel(parts.size(), threads, [&](std::size_t i) {
-            solved[i] = load_dance(catalogue, dance, parts[i].skeleton, parts[i].role, form);
+            if (!stop.is_asked()) {
+                solved[i] = load_dance(catalogue, dance, parts[i].skeleton, parts[i].role, form);
+            }
         });
         Libraries libraries;
         for (auto& library : solved) {
+            if (!library) {
+                return fail("nobody waits for the dance any more");
+            }
             if (!*library) {
                 return fail(std::move(library->error()));
             }
@@ -105,15 +111,14 @@ struct DanceLoader {
     }
 
     // Adds the dances one after the other; a bad one is reported and the rest goes on.
-    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances,
-                                                   const std::atomic<bool>& is_stopped) const {
+    [[nodiscard]] std::vector<std::string> add_all(const std::vector<std::string>& dances) const {
         std::vector<std::string> left_out;
         for (const std::string& dance : dances) {
-            // relaxed: a wish by itself
-            if (is_stopped.load(std::memory_order_relaxed)) {
+            const auto added = add(dance);
+            if (stop.is_asked()) {
                 break;
             }
-            if (auto added = add(dance); !added) {
+            if (!added) {
                 left_out.push_back(fmt::format("{} is left out: {}", dance, added.error().message));
             }
         }
@@ -142,17 +147,19 @@ std::vector<motion::Skeleton> bodies_in(Formation formation,
 Expected<Dancers> Dancers::load(const Settings& settings,
                                 const DanceCatalogue& catalogue,
                                 const std::vector<motion::Skeleton>& bodies,
-                                int threads) {
+                                int threads,
+                                const StopSolving& stop) {
     const auto formation = asked_formation(settings);
     if (!formation) {
         return fail(formation.error());
     }
     Parts parts = parts_of(*formation, bodies_in(*formation, bodies));
-    DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads};
+    DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads, stop};
     if (auto begun = loader.begin(settings); !begun) {
         return fail(std::move(begun.error()));
     }
     Dancers dancers;
+    dancers.stop_ = stop;
     for (const std::size_t part : parts.of_body) {
         dancers.bodies_.push_back({loader.parts[part].skeleton, loader.parts[part].repertoire});
     }
@@ -164,18 +171,8 @@ Expected<Dancers> Dancers::load(const Settings& settings,
     // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances_to_load(settings, *catalogue.list());
     dancers.others_ =
-        std::async(std::launch::async, [loader, others, is_stopped = dancers.is_stopped_] {
-            return loader.add_all(others, *is_stopped);
-        });
+        std::async(std::launch::async, [loader, others] { return loader.add_all(others); });
     return dancers;
-}
-
-void Dancers::stop_solving() noexcept {
-    is_stopped_->store(true, std::memory_order_relaxed);  // relaxed: a wish by itself
-}
-
-bool Dancers::is_stopped() const noexcept {
-    return is_stopped_->load(std::memory_order_relaxed);  // relaxed: as above
 }
 
 bool Dancers::is_done() const {

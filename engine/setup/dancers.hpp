@@ -33,6 +33,24 @@ using Cast = std::vector<motion::EnsembleMember>;
 [[nodiscard]] std::vector<motion::Skeleton> bodies_in(motion::Formation formation,
                                                       const std::vector<motion::Skeleton>& bodies);
 
+/// A wish that no more dances are begun to be solved: nobody waits for them any more. Shared by who
+/// solves and who may wish; copies are the same wish, one that was moved from is nobody's. Threads:
+/// any.
+class StopSolving {
+ public:
+    void ask() const noexcept {
+        if (is_asked_) {
+            is_asked_->store(true, std::memory_order_relaxed);  // relaxed: a wish by itself
+        }
+    }
+    [[nodiscard]] bool is_asked() const noexcept {
+        return is_asked_ && is_asked_->load(std::memory_order_relaxed);  // relaxed: as above
+    }
+
+ private:
+    std::shared_ptr<std::atomic<bool>> is_asked_ = std::make_shared<std::atomic<bool>>(false);
+};
+
 /// The dancers that the settings ask for: dance, figures, formation, generator and seed. The dance
 /// that a show begins with is ready at once; with `dance = "auto"` a thread of its own solves all
 /// others meanwhile and adds them to the repertoires. Each dance is solved once for each body that
@@ -40,11 +58,13 @@ using Cast = std::vector<motion::EnsembleMember>;
 class Dancers {
  public:
     /// Solves the first dance. `bodies`: those that dancers have in turn, at least one. `threads`:
-    /// that solve dances, at least one. Errors: as load_dance; an unknown formation.
+    /// that solve dances, at least one. `stop`: ends it, with an error that nobody need read.
+    /// Errors: as load_dance; an unknown formation.
     [[nodiscard]] static Expected<Dancers> load(const Settings& settings,
                                                 const DanceCatalogue& catalogue,
                                                 const std::vector<motion::Skeleton>& bodies,
-                                                int threads = 1);
+                                                int threads = 1,
+                                                const StopSolving& stop = StopSolving());
 
     /// The dancers; their repertoires grow until all dances are solved.
     [[nodiscard]] const Cast& cast() const noexcept { return cast_; }
@@ -53,9 +73,9 @@ class Dancers {
         return bodies_;
     }
     /// No more dances are begun to be solved: nobody waits for them any more.
-    void stop_solving() noexcept;
-    /// Whether stop_solving() was called: some dances may never be there.
-    [[nodiscard]] bool is_stopped() const noexcept;
+    void stop_solving() noexcept { stop_.ask(); }
+    /// Whether that was asked for: some dances may never be there.
+    [[nodiscard]] bool is_stopped() const noexcept { return stop_.is_asked(); }
     /// Whether all dances are solved, or no more will be: to be destroyed without waiting.
     [[nodiscard]] bool is_done() const;
 
@@ -66,8 +86,7 @@ class Dancers {
  private:
     std::vector<motion::DancingBody> bodies_;
     Cast cast_;
-    // Shared with the thread that solves.
-    std::shared_ptr<std::atomic<bool>> is_stopped_ = std::make_shared<std::atomic<bool>>(false);
+    StopSolving stop_;  // shared with the thread that solves
     std::future<std::vector<std::string>> others_;
 };
 

@@ -50,6 +50,18 @@ Formations::Formations(Settings settings,
     (is_couple(danced_) ? couple_ : alone_).emplace(std::move(dancers));
 }
 
+Formations::~Formations() {
+    // Of one that was moved from nothing is loading, and nobody is there.
+    if (loading_.valid()) {
+        loading_stop_.ask();
+    }
+    for (std::optional<Dancers>* const dancers : {&alone_, &couple_}) {
+        if (*dancers) {
+            (*dancers)->stop_solving();
+        }
+    }
+}
+
 std::string_view Formations::name() const noexcept { return name_of(danced_); }
 
 // Asking again while a formation is being loaded only moves the wish: poll() serves the last one.
@@ -70,6 +82,9 @@ void Formations::ask_for_bodies(const std::vector<motion::Skeleton>& bodies) {
     }
     is_waiting_ = true;
     // They go on to dance what they know; the processor is for the others.
+    if (loading_.valid()) {
+        loading_stop_.ask();
+    }
     for (std::optional<Dancers>* const dancers : {&alone_, &couple_}) {
         if (*dancers) {
             (*dancers)->stop_solving();
@@ -107,9 +122,13 @@ void Formations::load_dancers_for(Formation formation) {
     Settings settings = settings_;
     settings.formation = name_of(formation);
     loading_for_ = formation;
-    loading_ = std::async(std::launch::async, [settings, catalogue = catalogue_, bodies = bodies_] {
-        return Dancers::load(settings, catalogue, bodies);
-    });
+    loading_stop_ = StopSolving();
+    loading_ =
+        std::async(std::launch::async,
+                   [settings, catalogue = catalogue_, bodies = bodies_, stop = loading_stop_] {
+                       constexpr int kThreads = 1;  // the others are the show's
+                       return Dancers::load(settings, catalogue, bodies, kThreads, stop);
+                   });
 }
 
 // Destroyed at once, they would make this thread wait for the dance that is being solved.
@@ -133,7 +152,8 @@ Expected<void> Formations::take_loaded() {
         std::optional<Dancers>& dancers = dancers_for(loading_for_);
         dismiss(dancers);
         dancers.emplace(std::move(*loaded));
-    } else if (is_waiting_ && is_couple(asked_) == is_couple(loading_for_)) {
+    } else if (is_waiting_ && !loading_stop_.is_asked() &&
+               is_couple(asked_) == is_couple(loading_for_)) {
         is_waiting_ = false;
         // Bodies that cannot be danced with are not asked for again with the next picture.
         if (asked_ == danced_) {

@@ -55,6 +55,11 @@ class Formations {
     /// Dancers::wait.
     [[nodiscard]] std::vector<std::string> wait();
 
+    /// Waits for the dance that is being solved, if any, and for no more.
+    ~Formations();
+    Formations(Formations&&) = default;            ///< the other one may only be destroyed
+    Formations& operator=(Formations&&) = delete;  ///< threads solve for one of them
+
  private:
     Formations(Settings settings,
                DanceCatalogue catalogue,
@@ -80,6 +85,7 @@ class Formations {
     std::optional<Dancers> alone_;
     std::optional<Dancers> couple_;
     std::future<Expected<Dancers>> loading_;
+    StopSolving loading_stop_;
     motion::Formation loading_for_ = motion::Formation::solo;
     // Whose threads still solve the dance that they had begun.
     std::vector<Dancers> dismissed_;

@@ -241,9 +241,11 @@ TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
               file.string() + ": its reader broke off (exit code 0): it is damaged, or too large");
     replace(much + "sleep 100\n");
     EXPECT_EQ(message(read_within(200ms)), "its reader took more than 0.2 s and was ended");
-    // A glTF of 20 bytes that says it has 200.
+    // A glTF of 20 bytes that says it has 200. (Who ended without having read what it was given
+    // would have broken off.)
     replace(kDone +
-            "\\x14\\0\\0\\0\\0\\0\\0\\0glTF\\2\\0\\0\\0\\xc8\\0\\0\\0\\0\\0\\0\\0JSON' >&3\n");
+            "\\x14\\0\\0\\0\\0\\0\\0\\0glTF\\2\\0\\0\\0\\xc8\\0\\0\\0\\0\\0\\0\\0JSON' >&3\nsleep "
+            "100\n");
     const std::string said = message(load_model(file));
     EXPECT_EQ(said.rfind(file.string() + ": as glTF: ", 0), 0U) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);

@@ -172,6 +172,33 @@ TEST(Formations, go_back_to_a_body_with_all_their_dances) {
     }
 }
 
+TEST(Formations, that_are_left_wait_for_one_dance_at_most) {
+    Settings settings;
+    settings.dance = "salsa";
+    std::vector<motion::Skeleton> bodies;
+    for (int i = 0; i < 32; ++i) {
+        // Of no other test: nothing of them is kept.
+        bodies.push_back(motion::mannequin_skeleton());
+        bodies.back().girth.trunk += 1e-4F * static_cast<float>(i + 1);
+    }
+    const StopSolving stop;
+    stop.ask();
+    const auto stopped = Dancers::load(settings, installed::dances(), bodies, 1, stop);
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().message, "nobody waits for the dance any more");
+    // Else this would take half a minute.
+    Formations formations = formations_of("salsa", "grid");
+    formations.ask_for_bodies(bodies);
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none);
+    EXPECT_TRUE(formations.is_loading());
+    // What is asked for meanwhile is served, and what was given up is no error.
+    formations.ask_for_bodies({bodies.front()});
+    EXPECT_EQ(error_when_there(formations), "");
+    EXPECT_EQ(formations.cast().front().body.skeleton, bodies.front());
+    formations.ask_for_bodies(bodies);
+    EXPECT_EQ(formations.poll().value(), Formations::Change::none);
+}
+
 TEST(Formations, of_another_kind_are_solved_for_the_body_that_was_asked_for) {
     Formations formations = formations_of("salsa", "solo");
     motion::Skeleton body = motion::mannequin_skeleton();
