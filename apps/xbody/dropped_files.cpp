@@ -1,11 +1,9 @@
 #include "apps/xbody/dropped_files.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include "base/printable.hpp"
+#include "engine/setup/play_list.hpp"
 #include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
@@ -16,17 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_music_name(const fs::path& path) {
-    constexpr std::array<std::string_view, 6> kEndings = {
-        ".wav", ".mp3", ".flac", ".ogg", ".opus", ".m4a"};
-    return std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end();
-}
-
 /// Reads one file after the other; what comes first counts.
 class DropReader {
  public:
     void read(const DroppedFile& file) {
-        if (is_music_name(file.path)) {
+        if (engine::looks_like_music(file.path)) {
             take_first(file, music_);
         } else if (render::is_model_name(file.path)) {
             read_model(file);
@@ -95,7 +87,7 @@ class DropReader {
 }  // namespace
 
 DroppedFile dropped_file(const std::string& path) {
-    return {path, printable(fs::path(path).filename().string())};
+    return {path, printable(std::filesystem::path(path).filename().string())};
 }
 
 DroppedFiles read_dropped(const std::vector<DroppedFile>& files, const MotionWearer& wearer) {

@@ -70,17 +70,11 @@ void NodeClip::find_others() {
     }
 }
 
-motion::Bone NodeClip::mapped_above(motion::Bone bone) const {
-    do {
-        bone = static_cast<motion::Bone>(motion::kBoneParents[motion::index_of(bone)]);
-    } while (bone != motion::Bone::hips &&
-             model_.character.humanoid.nodes[motion::index_of(bone)] < 0);
-    return bone;
-}
-
 void NodeClip::take_between(motion::Bone bone) {
     const auto& bones = model_.character.humanoid.nodes;
-    const int end = bones[motion::index_of(mapped_above(bone))];
+    const int above =
+        mapped_parent(model_.character.humanoid, static_cast<int>(motion::index_of(bone)));
+    const int end = above < 0 ? -1 : bones[static_cast<std::size_t>(above)];
     std::vector<int> between;
     int node = model_.nodes[static_cast<std::size_t>(bones[motion::index_of(bone)])].parent;
     for (; node >= 0 && std::find(bones.begin(), bones.end(), node) == bones.end();

@@ -60,7 +60,6 @@ class NodeClip {
     void find_others();
     [[nodiscard]] glm::quat turn_below_parent(std::size_t bone, float seconds) const;
     void take_between(motion::Bone bone);
-    [[nodiscard]] motion::Bone mapped_above(motion::Bone bone) const;
 
     const Model& model_;
     BoneRest rest_;

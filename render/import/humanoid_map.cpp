@@ -174,16 +174,6 @@ std::string missing_bones(const HumanoidMap& humanoid) {
     return missing;
 }
 
-int mapped_parent(const HumanoidMap& humanoid, int bone) noexcept {
-    while (bone != 0) {
-        bone = motion::kBoneParents[static_cast<std::size_t>(bone)];
-        if (humanoid.nodes[static_cast<std::size_t>(bone)] >= 0) {
-            return bone;
-        }
-    }
-    return -1;
-}
-
 std::string_view words_of(BoneReason reason) noexcept {
     constexpr std::array<std::string_view, 6> kWords = {
         "not found",

@@ -26,9 +26,6 @@ inline constexpr std::array<motion::Bone, 6> kRequiredParts = {
 /// Names of the required bones that a map lacks, with commas; empty: it has them all.
 [[nodiscard]] std::string missing_bones(const HumanoidMap& humanoid);
 
-/// The nearest bone above `bone` that is mapped; -1: none (hips).
-[[nodiscard]] int mapped_parent(const HumanoidMap& humanoid, int bone) noexcept;
-
 /// How a bone was found, in words: "named in the file".
 [[nodiscard]] std::string_view words_of(BoneReason reason) noexcept;
 

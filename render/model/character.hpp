@@ -65,6 +65,17 @@ struct HumanoidMap {
     int jaw = -1;
 };
 
+/// The nearest bone above `bone` that is mapped; -1: none (hips).
+[[nodiscard]] inline int mapped_parent(const HumanoidMap& humanoid, int bone) noexcept {
+    while (bone != 0) {
+        bone = motion::kBoneParents[static_cast<std::size_t>(bone)];
+        if (humanoid.nodes[static_cast<std::size_t>(bone)] >= 0) {
+            return bone;
+        }
+    }
+    return -1;
+}
+
 /// A morph target that an expression moves.
 struct MorphBind {
     int node = -1;  ///< whose mesh

@@ -98,10 +98,10 @@ TEST_F(DroppedFilesTest, a_model_file_without_a_surface_is_a_motion) {
 }
 
 TEST_F(DroppedFilesTest, music_is_danced_to_by_the_model_that_comes_with_it) {
-    const DroppedFiles files = drop({"/music/one.wav", path("a.3ds"), "/music/two.mp3"});
+    const DroppedFiles files = drop({"/music/one.wav", path("a.3ds"), "/music/two.MP3"});
     ASSERT_TRUE(files.model && files.music);
     EXPECT_EQ(files.music->path, "/music/one.wav");
-    EXPECT_EQ(files.left_out, std::vector<std::string>{"two.mp3"});
+    EXPECT_EQ(files.left_out, std::vector<std::string>{"two.MP3"});
     EXPECT_NE(message_of(files).find(". Making a dance to one.wav"), std::string::npos);
 }
 
