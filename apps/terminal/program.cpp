@@ -228,9 +228,17 @@ void end_in_time() {
     end_now();
 }
 
+// Whether a line has said why the process ends: one is enough, as threads that go on meanwhile may
+// have faults of the same cause.
+std::atomic<bool> g_end_is_said{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals use it");
+
 // A fault of ours, or of a library that ran out of memory: one line in place of silence. Only what
 // a handler may do; the signal then ends the process as it would have.
 extern "C" void say_fault(int number) {
+    if (g_end_is_said.exchange(true)) {
+        _exit(kExitFailed);
+    }
     const char* const line =
         number == SIGABRT
             ? "raks: a library gave up; with -v it says why\n"
@@ -260,7 +268,9 @@ void end_by_library() {
     if (g_has_come_back.load(std::memory_order_relaxed)) {  // relaxed: orders nothing
         return;
     }
-    complain("a library ended the program: as a rule its display is gone; with -v it says why");
+    if (!g_end_is_said.exchange(true)) {
+        complain("a library ended the program: as a rule its display is gone; with -v it says why");
+    }
     end_now();
 }
 
