@@ -1,42 +1,69 @@
 #!/usr/bin/env bash
-# Installs every Debian 12 package that Raks needs to build, test and run. Idempotent: when all is
-# there it asks dpkg once and leaves. Uses sudo when not root.
-#   scripts/setup.sh            build, run and test
-#   scripts/setup.sh --training also the soundfonts that `raks train beats` and `raks train genre` render music with
-#   scripts/setup.sh --rtsan    also clang 22 for the RealtimeSanitizer build
+# Installs the Debian 12 packages of the lists that are asked for; without a name those that building
+# and dancing need. Idempotent: when all is there it asks dpkg once and leaves. Uses sudo when not
+# root. It never removes or replaces a package.
+#   scripts/setup.sh [build] [run] [learn] [test] [ci] [fuzz] [rtsan] [soundfonts]
+#   scripts/setup.sh --list [LIST...]    prints the packages of the lists and installs nothing
 set -euo pipefail
+cd "$(dirname "$0")/.."
 
-packages=(
-    # build
-    g++ cmake ninja-build ccache mold pkg-config git ca-certificates
-    # libraries
-    portaudio19-dev libjack-jackd2-dev libsndfile1-dev libspeexdsp-dev libkissfft-dev libebur128-dev libpulse-dev
-    libasound2-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
-    libx11-dev libimgui-dev libstb-dev libpng-dev zlib1g-dev libavcodec-dev libavformat-dev libavutil-dev
-    libswscale-dev libswresample-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-    libsimdjson-dev libmeshoptimizer-dev libwebp-dev libjpeg62-turbo-dev libexpected-dev libpugixml-dev libseccomp-dev libassimp-dev libdraco-dev libgtest-dev libgmock-dev
-    # learning to hear beats: MIDI rendered, matrices
-    libfluidsynth-dev libopenblas-dev
-    # calibrating the cameras of a capture
-    libopencv-calib3d-dev libopencv-imgproc-dev libopencv-contrib-dev libceres-dev
-    # what the program and its tests run on
-    libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 jackd2 pulseaudio pulseaudio-utils
-    libasound2-plugins dbus sox flac lame opus-tools xvfb xdotool x11-utils imagemagick ffmpeg fonts-dejavu-core
-    # checks
-    clang-format clang-tidy
-    # fuzzing: scripts/fuzz.sh
-    clang-14 libclang-rt-14-dev
+declare -A lists=(
+    # The compiler, and the libraries of the programs raks, raks-decode and raks-import.
+    [build]="g++ cmake ninja-build pkg-config ccache
+        portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libsndfile1-dev libspeexdsp-dev
+        libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+        libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
+        libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
+        libmeshoptimizer-dev libassimp-dev libdraco-dev nlohmann-json3-dev libsimdjson-dev
+        libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev"
+    # OpenGL and letters.
+    [run]="libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 fonts-dejavu-core"
+    # raks-train (MIDI, matrices) and raks-capture (cameras).
+    [learn]="libfluidsynth-dev libopenblas-dev libopencv-calib3d-dev libopencv-imgproc-dev
+        libopencv-contrib-dev libceres-dev"
+    # What the tests need that open no window and no sound device.
+    [test]="git libgtest-dev libgmock-dev mold sox flac lame opus-tools ffmpeg imagemagick"
+    # Sound servers, a display and checkers of code: all that CI runs.
+    [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils
+        clang-format clang-tidy clang-14 libclang-rt-14-dev"
+    # scripts/fuzz.sh and scripts/rtsan.sh
+    [fuzz]="clang-14 libclang-rt-14-dev"
+    [rtsan]="clang-22 libclang-rt-22-dev llvm-14"
+    # What `raks train beats` and `raks train genre` render music with.
+    [soundfonts]="fluid-soundfont-gm musescore-general-soundfont-small
+        musescore-general-soundfont-lossless opl3-soundfont csound-soundfont timgm6mb-soundfont
+        aubio-tools"
 )
-if [ "${1:-}" = --rtsan ]; then
-    packages+=(clang-22 libclang-rt-22-dev llvm-14)
-elif [ "${1:-}" = --training ]; then
-    packages+=(fluid-soundfont-gm musescore-general-soundfont-small musescore-general-soundfont-lossless
-        opl3-soundfont csound-soundfont timgm6mb-soundfont aubio-tools)
-elif [ $# -gt 0 ]; then
-    echo "usage: scripts/setup.sh [--training|--rtsan]" >&2
-    exit 2
+log=build/setup.log
+
+say() { echo "setup: $*" >&2; }
+give_up() {
+    say "$*"
+    exit 1
+}
+
+only_list=
+if [ "${1:-}" = --list ]; then
+    only_list=1
+    shift
+fi
+[ $# -gt 0 ] || set -- build run
+packages=()
+for name in "$@"; do
+    if [ -z "${lists[$name]:-}" ]; then
+        say "there is no list \"$name\"; the lists are build, run, learn, test, ci, fuzz, rtsan, soundfonts"
+        exit 2
+    fi
+    read -r -d '' -a words <<<"${lists[$name]}" || true
+    packages+=("${words[@]}")
+done
+if [ -n "$only_list" ]; then
+    printf '%s\n' "${packages[@]}"
+    exit 0
 fi
 
+command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
+    give_up "apt-get is not here; install by hand what \"scripts/setup.sh --list $*\" prints"
 missing=()
 for package in "${packages[@]}"; do
     status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
@@ -44,11 +71,71 @@ for package in "${packages[@]}"; do
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 
-run=()
-[ "$(id -u)" -eq 0 ] || run=(sudo)
-echo "setup: installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
-export DEBIAN_FRONTEND=noninteractive
-"${run[@]}" apt-get -qq -o DPkg::Lock::Timeout=600 update
-"${run[@]}" apt-get -qq -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 install -y \
-    --no-install-recommends "${missing[@]}" >/dev/null
-echo "setup: done" >&2
+system=$(. /etc/os-release 2>/dev/null && echo "${ID:-} ${VERSION_ID:-}" || true)
+[ "$system" = "debian 12" ] ||
+    say "Raks is made for Debian 12; on \"${system:-this system}\" some packages may have other names or versions"
+
+mkdir -p build && : >"$log" || give_up "$log cannot be written; is the disk full?"
+as_root=(env DEBIAN_FRONTEND=noninteractive)
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+        give_up "installing packages needs root, and sudo is not here; as root: apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo env DEBIAN_FRONTEND=noninteractive)
+fi
+# sudo forgets the environment, so DEBIAN_FRONTEND comes behind it; without it a package could ask a
+# question that nobody sees, as without the terminal as its input.
+apt_as_root() {
+    "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 "$@" </dev/null >>"$log" 2>&1
+}
+
+# what_apt_would_do PACKAGE...: as text; needs no root.
+what_apt_would_do() {
+    LC_ALL=C apt-get -s -o Debug::NoLocking=1 --no-install-recommends install "$@" 2>&1
+}
+# would_remove PACKAGE...: the packages that would go.
+would_remove() { what_apt_would_do "$@" | sed -n 's/^Remv \([^ ]*\).*/\1/p' | sort -u | tr '\n' ' '; }
+# sizes PACKAGE...: apt's own words on downloads and disk, "Need to get 86.1 MB ... will be used."
+sizes() {
+    LC_ALL=C apt-get --assume-no -o Debug::NoLocking=1 --no-install-recommends install "$@" 2>/dev/null |
+        grep -E '^(Need to get|After this)' | sed 's/\.$//' | paste -sd ';' | sed 's/;/, /' || true
+}
+
+say "Raks needs ${#missing[@]} Debian packages that are not here: ${missing[*]}"
+[ "$(id -u)" -eq 0 ] ||
+    say "installing them needs root, so sudo may ask for your password; nothing is removed or replaced, what apt says goes to $log"
+if [ "$(id -u)" -ne 0 ] && ! sudo true; then
+    give_up "sudo refused; as root: apt-get install --no-install-recommends ${missing[*]}"
+fi
+apt_as_root update ||
+    give_up "the lists of packages could not be fetched (is there a network?): $(grep -m 1 '^[EW]:' "$log" || tail -n 1 "$log")"
+plan=$(what_apt_would_do "${missing[@]}") || true
+unknown=$(sed -n 's/^E: Unable to locate package //p; s/^E: Package .\([^ ]*\). has no installation candidate/\1/p' <<<"$plan" | tr '\n' ' ')
+[ -z "$unknown" ] || give_up "this system's lists do not have ${unknown% }; nothing was installed"
+
+# What would put out something that is installed stays away: of Debian's sound servers only one can
+# be installed, and a desktop has its own.
+if grep -q '^Remv' <<<"$plan"; then
+    kept=()
+    for package in "${missing[@]}"; do
+        [[ " ${lists[ci]} " == *[[:space:]]$package[[:space:]]* ]] || kept+=("$package")
+    done
+    gone=$([ ${#kept[@]} -eq 0 ] || would_remove "${kept[@]}")
+    [ -z "$gone" ] || give_up "apt would remove ${gone% } for them; nothing was installed"
+    for package in ${lists[ci]}; do
+        [[ " ${missing[*]} " == *" $package "* ]] || continue
+        gone=$(would_remove "$package")
+        if [ -z "$gone" ]; then
+            kept+=("$package")
+        else
+            say "$package is left out, as apt would remove ${gone% } for it; the tests that need it are skipped"
+        fi
+    done
+    [ ${#kept[@]} -gt 0 ] || exit 0
+    missing=("${kept[@]}")
+fi
+
+said=$(sizes "${missing[@]}")
+[ -z "$said" ] || say "$said"
+apt_as_root -y --no-remove --no-install-recommends install "${missing[@]}" ||
+    give_up "apt could not install them: $(grep -m 1 '^E:\|No space left' "$log" || tail -n 1 "$log") (whole log: $log)"
+say "done"

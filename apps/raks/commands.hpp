@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/clips/body_options.hpp"
-#include "apps/clips/joint_options.hpp"
+#include "apps/clips/body_arguments.hpp"
+#include "apps/clips/joint_arguments.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"

@@ -1,5 +1,7 @@
 #include <cstdint>
 
+#include "apps/clips/body_options.hpp"
+#include "apps/clips/joint_options.hpp"
 #include "apps/raks/command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
 

@@ -2,6 +2,8 @@
 #include <map>
 #include <string>
 
+#include "apps/clips/body_options.hpp"
+#include "apps/clips/joint_options.hpp"
 #include "apps/raks/command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/filmed_boards.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
@@ -21,17 +21,6 @@
 
 namespace raks::apps {
 namespace {
-
-/// Arguments of `raks capture calibrate`.
-struct CalibrateArguments {
-    Path folder;
-    Path output;  ///< empty: rig.toml of the folder
-    CalibrationChoices choices;
-    Path rig;          ///< of another program; empty: the board is looked for
-    std::string unit;  ///< of that rig; empty: as it says
-    std::string up;    ///< likewise
-    bool as_json = false;
-};
 
 using Json = nlohmann::ordered_json;
 
@@ -212,6 +201,8 @@ ExitCode take_rig(const CapturePlan& plan,
     return exit_code_of(write_file(output, capture::rig_text(read->rig)));
 }
 
+}  // namespace
+
 ExitCode calibrate(const CalibrateArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -254,38 +245,6 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
         print_text(report_text(*done));
     }
     return kExitDone;
-}
-
-}  // namespace
-
-void add_calibrate(CommandTable& table) {
-    const auto [app, arguments] = table.add<CalibrateArguments>(
-        table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
-    app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
-    CalibrationChoices& choices = arguments->choices;
-    app->add_option("--clocks", choices.clocks, "clocks of the calibration films (TOML)");
-    app->add_option("--every", choices.every, "seconds between the pictures that are looked at")
-        ->check(in_range(0.01, 60.0));
-    app->add_option(
-           "--coefficients", choices.coefficients, "of the distortion: 5, or 8 for wide lenses")
-        ->check(CLI::IsMember({5, 8}));
-    auto* const floor =
-        app->add_option("--floor", choices.floor, "when the board lay on the floor, seconds")
-            ->check(in_range(0.0, 86400.0));
-    app->add_option(
-           "--floor-picture", choices.floor_picture, "the same by number, of folders of pictures")
-        ->check(in_range(0, 1'000'000))
-        ->excludes(floor);
-    auto* const rig = app->add_option(
-        "--rig", arguments->rig, "cameras that another program calibrated, instead of a board");
-    app->add_option("--unit", arguments->unit, "of that rig, where it does not say")
-        ->check(one_of({"m", "mm"}))
-        ->needs(rig);
-    app->add_option("--up", arguments->up, "axis of that rig that points up")
-        ->check(one_of({"y", "z"}))
-        ->needs(rig);
-    app->add_flag("--json", arguments->as_json, "print the report as JSON");
 }
 
 }  // namespace raks::apps

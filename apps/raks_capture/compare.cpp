@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "apps/raks_capture/commands.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "motion/evaluate/motion_comparison.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
@@ -17,14 +16,6 @@ namespace raks::apps {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-
-/// Arguments of `raks capture compare`.
-struct CompareArguments {
-    Path one;
-    Path other;
-    double shift = 0.0;  ///< seconds
-    bool as_json = false;
-};
 
 Expected<motion::BodyTrack> load_track(const Path& path) {
     const auto clip = motion::read_skeleton_motion(path, {});
@@ -87,6 +78,8 @@ std::string json_of(const motion::MotionComparison& comparison) {
     return json.dump(2) + "\n";
 }
 
+}  // namespace
+
 ExitCode compare(const CompareArguments& arguments) {
     const auto one = load_track(arguments.one);
     if (!one) {
@@ -106,18 +99,6 @@ ExitCode compare(const CompareArguments& arguments) {
         print_text(table_of(*comparison));
     }
     return kExitDone;
-}
-
-}  // namespace
-
-void add_compare(CommandTable& table) {
-    const auto [app, arguments] = table.add<CompareArguments>(
-        table.app(), "compare", "how far two motions of the same dance are apart", &compare);
-    app->add_option("one", arguments->one, "a motion, such as the true one")->required();
-    app->add_option("other", arguments->other, "another one")->required();
-    app->add_option("--shift", arguments->shift, "seconds by which the other one begins later")
-        ->check(in_range(-86400.0, 86400.0));
-    app->add_flag("--json", arguments->as_json, "print JSON");
 }
 
 }  // namespace raks::apps

@@ -1,16 +1,10 @@
 // `raks capture correct`: a person puts tracks right.
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/correct_session.hpp"
 #include "apps/raks_capture/correct_window.hpp"
 
 namespace raks::apps {
-namespace {
-
-/// Arguments of `raks capture correct`.
-struct CorrectArguments {
-    Path folder;
-};
-
 ExitCode correct(const CorrectArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -25,14 +19,6 @@ ExitCode correct(const CorrectArguments& arguments) {
         return fail(std::move(checked.error()).in(plan->file("edits.jsonl").string()));
     }
     return exit_code_of(correct_in_window(*plan, *given));
-}
-
-}  // namespace
-
-void add_correct(CommandTable& table) {
-    const auto [app, arguments] = table.add<CorrectArguments>(
-        table.app(), "correct", "look at the tracks and put them right, in a window", &correct);
-    app->add_option("folder", arguments->folder, "the capture")->required();
 }
 
 }  // namespace raks::apps

@@ -1,6 +1,7 @@
 // `raks capture label`: which marker is where in first pictures.
 
 #include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/label_checks.hpp"
 #include "apps/raks_capture/label_window.hpp"
@@ -11,18 +12,14 @@
 namespace raks::apps {
 namespace {
 
-/// Arguments of `raks capture label`.
-struct LabelArguments {
-    Path folder;
-    Path labels;  ///< empty: in a window
-};
-
 // What is there of a file that a step before may have made.
 template <typename Load>
 auto loaded_if_there(const Path& file, const Load& load) {
     using Loaded = decltype(load());
     return is_there(file) ? load() : Loaded(typename Loaded::value_type{});
 }
+
+}  // namespace
 
 ExitCode label_capture(const LabelArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
@@ -69,17 +66,6 @@ ExitCode label_capture(const LabelArguments& arguments) {
         say(arguments.labels.string() + ": " + doubt);
     }
     return exit_code_of(write_file(plan->file("labels.tsv"), capture::labels_text(*labels)));
-}
-
-}  // namespace
-
-void add_label(CommandTable& table) {
-    const auto [app, arguments] = table.add<LabelArguments>(
-        table.app(), "label", "say which marker is where in first pictures", &label_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--labels",
-                    arguments->labels,
-                    "table of labels (TSV), checked and taken over; without: a window");
 }
 
 }  // namespace raks::apps

@@ -5,6 +5,7 @@
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_page.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
@@ -14,13 +15,6 @@
 
 namespace raks::apps {
 namespace {
-
-/// Arguments of `raks capture report`.
-struct ReportArguments {
-    Path folder;
-    Path truth;   ///< folder with tracks.csv; empty: none
-    Path output;  ///< empty: report.html of the folder
-};
 
 // Puts a file of the capture into its place in the report, where the file is there.
 template <typename Place, typename Load>
@@ -101,6 +95,8 @@ Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& a
     return report;
 }
 
+}  // namespace
+
 ExitCode report_capture(const ReportArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -116,16 +112,6 @@ ExitCode report_capture(const ReportArguments& arguments) {
     }
     say(output.string() + ": written");
     return kExitDone;
-}
-
-}  // namespace
-
-void add_report(CommandTable& table) {
-    const auto [app, arguments] = table.add<ReportArguments>(
-        table.app(), "report", "show what came of a capture, as a page", &report_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
-    app->add_option("-o,--out", arguments->output, "page (HTML); without: report.html in it");
 }
 
 }  // namespace raks::apps

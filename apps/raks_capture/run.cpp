@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
@@ -18,30 +19,11 @@
 namespace raks::apps {
 namespace {
 
-/// Arguments of `raks capture run`.
-struct RunArguments {
-    Path folder;
-};
-
-// A step as its command line: parsed and run in this process, so that what it prints, signals and
-// exit codes are those of the command itself.
+// A step as its command line.
 ExitCode run_step(const CaptureStep& step, const Path& folder) {
-    CommandTable table("", "raks capture");
-    add_commands(table);
-    // CLI11 takes the words from the last to the first.
     std::vector<std::string> words = {step.command, folder.string()};
     words.insert(words.end(), step.arguments.begin(), step.arguments.end());
-    std::reverse(words.begin(), words.end());
-    table.app().parse(std::move(words));
-    return table.chosen()();
-}
-
-bool has_command(const std::string& name) {
-    CommandTable table("", "raks capture");
-    add_commands(table);
-    const auto found = table.app().get_subcommands(
-        [&name](const CLI::App* command) { return command->get_name() == name; });
-    return !found.empty();
+    return run_command_line(std::move(words));
 }
 
 const char* words_of(StepState state) {
@@ -105,6 +87,8 @@ Expected<void> say_what_is_next(const CapturePlan& plan) {
     return {};
 }
 
+}  // namespace
+
 ExitCode run_capture(const RunArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -112,9 +96,6 @@ ExitCode run_capture(const RunArguments& arguments) {
     }
     int exit_code = kExitDone;
     for (const CaptureStep& step : capture_steps(*plan)) {
-        if (!has_command(step.command)) {
-            continue;
-        }
         const StepState state = state_of(step);
         // Paths among the arguments are known.
         const bool has_flag = step.arguments.size() == 1;
@@ -140,17 +121,6 @@ ExitCode run_capture(const RunArguments& arguments) {
         }
     }
     return exit_code;
-}
-
-}  // namespace
-
-void add_run(CommandTable& table) {
-    const auto [app, arguments] =
-        table.add<RunArguments>(table.app(),
-                                "run",
-                                "do every step that is missing or older than what it is made from",
-                                &run_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
 }
 
 }  // namespace raks::apps

@@ -6,13 +6,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/clips/body_options.hpp"
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/drawn_boards.hpp"
 #include "apps/raks_capture/drawn_films.hpp"
 #include "apps/raks_capture/filmed_motion.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/audio_file.hpp"
@@ -26,29 +25,6 @@
 
 namespace raks::apps {
 namespace {
-
-/// Arguments of `raks capture simulate`.
-struct SimulateArguments {
-    Path motion;
-    Path output;
-    Path rig;      ///< empty: the studio's
-    Path markers;  ///< empty: the shipped set
-    bool points = false;
-    bool is_draft = false;      ///< of the films
-    bool is_rig_known = false;  ///< no calibration films
-    Path music;                 ///< that sounds in the room; empty: none
-    bool unique = false;        ///< each marker has a colour of its own
-    int cameras = 6;            ///< of the studio's rig
-    double fps = 0.0;           ///< of the motion; 0: the file's
-    double rate = 0.0;          ///< of the cameras; 0: the motion's
-    double seconds = 0.0;       ///< of the motion to film; 0: all
-    double tempo = 1.0;         ///< how much faster than recorded the dance is danced
-    capture::StudioOptions studio;
-    BodyArguments body;
-
-    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known; }
-    [[nodiscard]] bool has_sound() const { return !points && !music.empty(); }
-};
 
 Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
     if (arguments.rig.empty()) {
@@ -309,6 +285,8 @@ std::string expectation(const capture::Rig& rig,
         options.noise);
 }
 
+}  // namespace
+
 ExitCode simulate(const SimulateArguments& arguments) {
     const auto rig = studio_rig_of(arguments);
     const auto markers = markers_of(arguments);
@@ -349,45 +327,6 @@ ExitCode simulate(const SimulateArguments& arguments) {
     }
     say(expectation(*rig, take, options));
     return kExitDone;
-}
-
-}  // namespace
-
-void add_simulate(CommandTable& table) {
-    const auto [app, arguments] = table.add<SimulateArguments>(
-        table.app(), "simulate", "film a known dance with cameras that there are not", &simulate);
-    app->add_option("motion", arguments->motion, "motion file")->required();
-    app->add_option("-o,--out", arguments->output, "folder to make")->required();
-    app->add_flag("--points", arguments->points, "points in pictures, without the pictures");
-    app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
-    app->add_flag(
-        "--known-rig", arguments->is_rig_known, "draw no calibration films, give the rig");
-    app->add_option("--music", arguments->music, "what sounds in the films; 48,000 Hz");
-    app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
-    app->add_option("--cameras", arguments->cameras, "how many the ring has")
-        ->check(in_range(2, 32));
-    app->add_option("--markers", arguments->markers, "marker set (TOML)");
-    app->add_flag("--unique", arguments->unique, "give each marker a colour of its own");
-    app->add_option("--fps", arguments->fps, "frames a second of the motion")
-        ->check(in_range(1.0, 1000.0));
-    app->add_option("--rate", arguments->rate, "pictures a second of the cameras")
-        ->check(in_range(1.0, 1000.0));
-    app->add_option("--tempo", arguments->tempo, "danced so many times as fast")
-        ->check(in_range(0.1, 10.0));
-    app->add_option("--duration", arguments->seconds, "seconds to film")
-        ->check(in_range(kShortestSeconds, kLongestSeconds));
-    app->add_option("--noise", arguments->studio.noise, "of a point, pixels")
-        ->check(in_range(0.0, 20.0));
-    app->add_option("--drop", arguments->studio.drop, "share of the points that is missed")
-        ->check(in_range(0.0, 1.0));
-    app->add_option("--clutter", arguments->studio.clutter, "false points in each picture")
-        ->check(in_range(0, 1000));
-    app->add_option("--clock-error", arguments->studio.clock_error, "of each camera, seconds")
-        ->check(in_range(0.0, 60.0));
-    app->add_option("--drift", arguments->studio.drift_ppm, "of each clock, parts in a million")
-        ->check(in_range(0.0, 1000.0));
-    app->add_option("--seed", arguments->studio.seed, "of all that is drawn");
-    add_body_options(*app, arguments->body);
 }
 
 }  // namespace raks::apps

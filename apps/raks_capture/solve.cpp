@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/solve_figures.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/solving/solve.hpp"
@@ -19,16 +19,6 @@ namespace raks::apps {
 namespace {
 
 constexpr std::size_t kMostDoubtsSaid = 10;
-
-/// Arguments of `raks capture solve`.
-struct SolveArguments {
-    Path folder;
-    double height = 0.0;             ///< metres; 0: capture.toml's
-    double frames_per_second = 0.0;  ///< 0: capture.toml's
-    std::string body;                ///< empty: capture.toml's
-    double smoothness = 1.0;
-    bool as_json = false;
-};
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
     capture::SolveOptions options;
@@ -75,6 +65,8 @@ void say_result(const capture::SolvedDance& dance) {
         say(fmt::format("and {} doubtful stretches more", dance.doubts.size() - said));
     }
 }
+
+}  // namespace
 
 ExitCode solve_capture(const SolveArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
@@ -123,23 +115,6 @@ ExitCode solve_capture(const SolveArguments& arguments) {
     }
     print_json(solve_json(*dance, body_facts(*clip)));
     return kExitDone;
-}
-
-}  // namespace
-
-void add_solve(CommandTable& table) {
-    const auto [app, arguments] = table.add<SolveArguments>(
-        table.app(), "solve", "find the dancer's body and its dance in the tracks", &solve_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--height", arguments->height, "metres of the dancer")
-        ->check(in_range(0.8, 2.5));
-    app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")
-        ->check(in_range(1.0, 1000.0));
-    app->add_option("--body", arguments->body, "which joints move")
-        ->check(one_of({"dance", "paper"}));
-    app->add_option("--smoothness", arguments->smoothness, "above 1: softer, below: sharper")
-        ->check(in_range(0.05, 20.0));
-    app->add_flag("--json", arguments->as_json, "print the figures as JSON");
 }
 
 }  // namespace raks::apps

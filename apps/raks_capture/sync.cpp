@@ -10,7 +10,6 @@
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/sync_report.hpp"
 #include "apps/raks_capture/synchronise.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
@@ -22,15 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // of a file of clocks
-
-struct SyncArguments {
-    std::string folder;
-    std::string music;
-    std::string offsets;
-    double within = std::numeric_limits<double>::infinity();
-    bool is_of_boards = false;  ///< the calibration films, not those of the dance
-    bool as_json = false;
-};
 
 // The cameras of a capture that were filmed.
 std::vector<CameraSound> sounds_of(const CapturePlan& capture, bool is_of_boards) {
@@ -93,7 +83,9 @@ Expected<void> write_clocks(const SyncArguments& arguments,
     return written;
 }
 
-ExitCode run_sync(const SyncArguments& arguments) {
+}  // namespace
+
+ExitCode sync_capture(const SyncArguments& arguments) {
     const auto plan = plan_of(arguments);
     if (!plan) {
         return fail(plan.error());
@@ -129,20 +121,6 @@ ExitCode run_sync(const SyncArguments& arguments) {
         print_text(sync_table(*result, *plan));
     }
     return result->is_whole ? kExitDone : kExitPartly;
-}
-
-}  // namespace
-
-void add_sync(CommandTable& table) {
-    auto [app, a] = table.add<SyncArguments>(
-        table.app(), "sync", "tell the clocks of the films from their sound", run_sync);
-    app->add_option("FOLDER", a->folder, "of the capture, with capture.toml")->required();
-    app->add_option("--music", a->music, "the song that was played; else what capture.toml names");
-    app->add_option("--offsets", a->offsets, "clocks set by hand (clocks.toml)");
-    app->add_option("--within", a->within, "seconds within which all cameras were started")
-        ->check(in_range(kShortestSeconds, kLongestSeconds));
-    app->add_flag("--boards", a->is_of_boards, "of the calibration films, for calibrate");
-    app->add_flag("--json", a->as_json, "print JSON");
 }
 
 }  // namespace raks::apps

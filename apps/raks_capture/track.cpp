@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/raks_capture/tracking_step.hpp"
-#include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
@@ -19,18 +19,6 @@
 
 namespace raks::apps {
 namespace {
-
-/// Arguments of `raks capture track`.
-struct TrackArguments {
-    Path folder;
-    Path labels;  ///< empty: labels.tsv of the folder
-    Path truth;   ///< folder with tracks.csv; empty: none
-    std::string colour = "normalised";
-    double sigma = 1.0;
-    double acceleration = 20.0;
-    double smoothing = 12.0;
-    bool is_as_named = false;  ///< the order of the films is not checked
-};
 
 Expected<void> write_tracks(const CapturePlan& plan, const capture::TrackerStages& stages) {
     const capture::Tracks& tracks = stages.smoothed;
@@ -97,6 +85,8 @@ capture::ChromaForm form_named(std::string_view name) {
     return name == "crcb" ? capture::ChromaForm::crcb : capture::ChromaForm::normalised;
 }
 
+}  // namespace
+
 ExitCode track(const TrackArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
@@ -130,27 +120,6 @@ ExitCode track(const TrackArguments& arguments) {
     }
     return arguments.truth.empty() ? ExitCode(kExitDone)
                                    : exit_code_of(print_errors(*stages, arguments.truth));
-}
-
-}  // namespace
-
-void add_track(CommandTable& table) {
-    const auto [app, arguments] = table.add<TrackArguments>(
-        table.app(), "track", "follow the markers through all films", &track);
-    app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--labels", arguments->labels, "which marker is where in first pictures (TSV)");
-    app->add_option("--colour", arguments->colour, "how colours are told apart")
-        ->check(CLI::IsMember({"normalised", "crcb"}));
-    app->add_option("--sigma", arguments->sigma, "error of a point in a picture, pixels")
-        ->check(in_range(0.01, 20.0));
-    app->add_option("--acceleration", arguments->acceleration, "of markers when followed, m/s^2")
-        ->check(in_range(0.1, 1000.0));
-    app->add_option("--smoothing", arguments->smoothing, "the same when smoothed afterwards")
-        ->check(in_range(0.1, 1000.0));
-    app->add_flag("--as-named",
-                  arguments->is_as_named,
-                  "films are those of their cameras, whatever their points say");
-    app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
 }
 
 }  // namespace raks::apps

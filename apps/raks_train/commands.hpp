@@ -1,14 +1,20 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "apps/clips/body_options.hpp"
-#include "apps/clips/joint_options.hpp"
-#include "apps/terminal/command_table.hpp"
+#include "apps/clips/body_arguments.hpp"
+#include "apps/clips/joint_arguments.hpp"
+#include "apps/raks_train/genre_options.hpp"
+#include "apps/terminal/program.hpp"
+#include "audio/music/styles/style_book.hpp"
+#include "training/beat/corpus.hpp"
+#include "training/beat/train_network.hpp"
 #include "training/figures/training_plan.hpp"
 
-/// The commands of the program `raks-train`, which `raks train` starts.
+/// The commands of the program `raks-train`, which `raks train` starts, one function each. Threads:
+/// main.
 namespace raks::apps {
 
 /// Labelled motion to learn from: what the two commands on figures have in common.
@@ -81,14 +87,29 @@ struct TrainReportArguments : LabelledClips {
 /// The files that are read, none of which may be written over.
 [[nodiscard]] std::vector<Path> inputs_of(const LabelledClips& clips);
 
-/// Adds the command with its options. `command`: the command line, which is stored in what it
-/// makes.
-void add_train_figure(CommandTable& table);
-/// Adds `report`.
-void add_train_report(CommandTable& table);
-/// Adds `beats`.
-void add_train_beats(CommandTable& table, const std::string& command);
-/// Adds `genre`.
-void add_train_genre(CommandTable& table, const std::string& command);
+/// Arguments of `raks train beats`.
+struct TrainBeatsArguments {
+    audio::StyleBook styles;  ///< that the corpus is written in
+    audio::CorpusPlan corpus;
+    std::filesystem::path corpus_file;  ///< where the rendered corpus is kept; empty: nowhere
+    std::vector<std::filesystem::path> more_files;  ///< further corpora that were kept
+    std::vector<std::string> left_out;              // families of music
+    std::filesystem::path start;                    // network to go on from
+    std::vector<std::filesystem::path> averaged;    // networks whose weights' mean is taken
+    std::vector<std::filesystem::path> ensembled;   // networks whose outputs are averaged
+    float trust = 1.0F;          // factor on that average before the sigmoid; below 1: less sure
+    audio::NetworkPlan network;  ///< how the network is trained
+    int bar_steps = 0;           // 0: learns beats
+    std::filesystem::path output;
+    std::filesystem::path music_folder;  ///< for --write
+};
+
+/// Learns the networks of beats and bars, or makes one of several. `command`: the command line,
+/// which is stored in what it makes. Errors: no music; files.
+[[nodiscard]] ExitCode train_beats(TrainBeatsArguments arguments, const std::string& command);
+
+/// Learns to tell dances apart from music. `command`: as of train_beats. Errors: options that do
+/// not go together; no music; files.
+[[nodiscard]] ExitCode train_genre(GenreOptions options, const std::string& command);
 
 }  // namespace raks::apps

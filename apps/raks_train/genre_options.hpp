@@ -13,10 +13,6 @@
 #include "training/genre/genre_samples.hpp"
 #include "training/genre/genre_trainer.hpp"
 
-namespace CLI {
-class App;
-}
-
 /// What `raks train genre` was asked for, one struct a stage. Filled by the command line, checked
 /// once by check_options, then read only.
 namespace raks::apps {
@@ -68,6 +64,7 @@ struct ShardOptions {
     std::vector<std::filesystem::path> merged;  ///< shards to learn from
 };
 
+/// Arguments of `raks train genre`.
 struct GenreOptions {
     RecordingOptions recordings;
     WrittenMusicOptions written;
@@ -85,8 +82,5 @@ struct GenreOptions {
     std::uint64_t seed = 1;
     int threads = 2;
 };
-
-/// Declares the command line that fills `options`, which must outlive the parsing.
-void add_options(CLI::App& app, GenreOptions& options);
 
 }  // namespace raks::apps

@@ -26,7 +26,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 namespace raks::apps {
 namespace {
@@ -247,17 +246,9 @@ void spread_options(GenreOptions& options) {
 
 }  // namespace
 
-void add_train_genre(CommandTable& table, const std::string& command) {
-    auto options = std::make_shared<GenreOptions>();
-    CLI::App& app = *table.app().add_subcommand("genre", "learn to tell dances apart from music");
-    add_options(app, *options);
-    CLI::App* const merge = app.add_subcommand("merge", "learn from the shards of --shard");
-    merge->fallthrough();
-    merge->add_option("shards", options->shards.merged, "of all shares")->required();
-    app.callback([&table, options, command] {
-        spread_options(*options);
-        table.choose([options, command] { return exit_code_of(run(*options, command)); });
-    });
+ExitCode train_genre(GenreOptions options, const std::string& command) {
+    spread_options(options);
+    return exit_code_of(run(options, command));
 }
 
 }  // namespace raks::apps

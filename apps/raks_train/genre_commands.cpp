@@ -1,10 +1,13 @@
-#include "apps/raks_train/genre_options.hpp"
-
+// The options of `raks train genre`.
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "apps/raks_train/command_table.hpp"
+#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/genre_options.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "audio/genre/genre_scorer.hpp"
 
@@ -128,8 +131,7 @@ void add_options(CLI::App& app, audio::NetworkTrainingPlan& network) {
         ->check(in_range(0.0, 1.0));
 }
 
-}  // namespace
-
+// Declares the command line that fills `options`, which must outlive the parsing.
 void add_options(CLI::App& app, GenreOptions& options) {
     add_options(app, options.recordings);
     app.add_option("-o,--out", options.output, "X.json");
@@ -155,6 +157,20 @@ void add_options(CLI::App& app, GenreOptions& options) {
     app.add_option("--folds", options.plan.folds)->check(in_range(2, 20));
     app.add_option("--seed", options.seed, "same seed, same model");
     app.add_option("--threads", options.threads)->check(in_range(1, 64));
+}
+
+}  // namespace
+
+void add_train_genre(CommandTable& table, const std::string& command) {
+    auto options = std::make_shared<GenreOptions>();
+    CLI::App& app = *table.app().add_subcommand("genre", "learn to tell dances apart from music");
+    add_options(app, *options);
+    CLI::App* const merge = app.add_subcommand("merge", "learn from the shards of --shard");
+    merge->fallthrough();
+    merge->add_option("shards", options->shards.merged, "of all shares")->required();
+    app.callback([&table, options, command] {
+        table.choose([options, command] { return train_genre(*options, command); });
+    });
 }
 
 }  // namespace raks::apps

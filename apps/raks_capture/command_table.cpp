@@ -1,0 +1,214 @@
+#include "apps/raks_capture/command_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/clips/body_options.hpp"
+#include "apps/raks_capture/commands.hpp"
+#include "apps/terminal/option_checks.hpp"
+
+namespace raks::apps {
+namespace {
+
+void add_run(CommandTable& table) {
+    const auto [app, arguments] =
+        table.add<RunArguments>(table.app(),
+                                "run",
+                                "do every step that is missing or older than what it is made from",
+                                &run_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+}
+
+void add_simulate(CommandTable& table) {
+    const auto [app, arguments] = table.add<SimulateArguments>(
+        table.app(), "simulate", "film a known dance with cameras that there are not", &simulate);
+    app->add_option("motion", arguments->motion, "motion file")->required();
+    app->add_option("-o,--out", arguments->output, "folder to make")->required();
+    app->add_flag("--points", arguments->points, "points in pictures, without the pictures");
+    app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
+    app->add_flag(
+        "--known-rig", arguments->is_rig_known, "draw no calibration films, give the rig");
+    app->add_option("--music", arguments->music, "what sounds in the films; 48,000 Hz");
+    app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
+    app->add_option("--cameras", arguments->cameras, "how many the ring has")
+        ->check(in_range(2, 32));
+    app->add_option("--markers", arguments->markers, "marker set (TOML)");
+    app->add_flag("--unique", arguments->unique, "give each marker a colour of its own");
+    app->add_option("--fps", arguments->fps, "frames a second of the motion")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--rate", arguments->rate, "pictures a second of the cameras")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--tempo", arguments->tempo, "danced so many times as fast")
+        ->check(in_range(0.1, 10.0));
+    app->add_option("--duration", arguments->seconds, "seconds to film")
+        ->check(in_range(kShortestSeconds, kLongestSeconds));
+    app->add_option("--noise", arguments->studio.noise, "of a point, pixels")
+        ->check(in_range(0.0, 20.0));
+    app->add_option("--drop", arguments->studio.drop, "share of the points that is missed")
+        ->check(in_range(0.0, 1.0));
+    app->add_option("--clutter", arguments->studio.clutter, "false points in each picture")
+        ->check(in_range(0, 1000));
+    app->add_option("--clock-error", arguments->studio.clock_error, "of each camera, seconds")
+        ->check(in_range(0.0, 60.0));
+    app->add_option("--drift", arguments->studio.drift_ppm, "of each clock, parts in a million")
+        ->check(in_range(0.0, 1000.0));
+    app->add_option("--seed", arguments->studio.seed, "of all that is drawn");
+    add_body_options(*app, arguments->body);
+}
+
+void add_board(CommandTable& table) {
+    const auto [app, arguments] = table.add<BoardArguments>(
+        table.app(), "board", "draw the board that calibrates the cameras, to print", &draw_board);
+    app->add_option("capture", arguments->capture, "folder of a capture, for the board it names");
+    app->add_option("-o,--out", arguments->output, "board.pdf, in true size, or board.png")
+        ->required();
+    app->add_option("--kind", arguments->kind, "charuco or chessboard")
+        ->check(one_of({"charuco", "chessboard"}));
+    app->add_option("--columns", arguments->columns, "squares across")->check(in_range(3, 100));
+    app->add_option("--rows", arguments->rows, "squares down")->check(in_range(3, 100));
+    app->add_option("--square", arguments->square, "side of a square, mm")
+        ->check(in_range(1.0, 2000.0));
+    app->add_option("--marker", arguments->marker, "side of a marker, mm (3/4 of a square)")
+        ->check(in_range(1.0, 2000.0));
+    app->add_option("--dictionary", arguments->dictionary, "of the markers, by OpenCV's name");
+    app->add_flag("--inverted", arguments->is_inverted, "black and white exchanged");
+    app->add_option("--pixels", arguments->pixels, "pixels a square, of a picture")
+        ->check(in_range(10, 400));
+}
+
+void add_calibrate(CommandTable& table) {
+    const auto [app, arguments] = table.add<CalibrateArguments>(
+        table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
+    CalibrationChoices& choices = arguments->choices;
+    app->add_option("--clocks", choices.clocks, "clocks of the calibration films (TOML)");
+    app->add_option("--every", choices.every, "seconds between the pictures that are looked at")
+        ->check(in_range(0.01, 60.0));
+    app->add_option(
+           "--coefficients", choices.coefficients, "of the distortion: 5, or 8 for wide lenses")
+        ->check(CLI::IsMember({5, 8}));
+    auto* const floor =
+        app->add_option("--floor", choices.floor, "when the board lay on the floor, seconds")
+            ->check(in_range(0.0, 86400.0));
+    app->add_option(
+           "--floor-picture", choices.floor_picture, "the same by number, of folders of pictures")
+        ->check(in_range(0, 1'000'000))
+        ->excludes(floor);
+    auto* const rig = app->add_option(
+        "--rig", arguments->rig, "cameras that another program calibrated, instead of a board");
+    app->add_option("--unit", arguments->unit, "of that rig, where it does not say")
+        ->check(one_of({"m", "mm"}))
+        ->needs(rig);
+    app->add_option("--up", arguments->up, "axis of that rig that points up")
+        ->check(one_of({"y", "z"}))
+        ->needs(rig);
+    app->add_flag("--json", arguments->as_json, "print the report as JSON");
+}
+
+void add_sync(CommandTable& table) {
+    auto [app, a] = table.add<SyncArguments>(
+        table.app(), "sync", "tell the clocks of the films from their sound", &sync_capture);
+    app->add_option("FOLDER", a->folder, "of the capture, with capture.toml")->required();
+    app->add_option("--music", a->music, "the song that was played; else what capture.toml names");
+    app->add_option("--offsets", a->offsets, "clocks set by hand (clocks.toml)");
+    app->add_option("--within", a->within, "seconds within which all cameras were started")
+        ->check(in_range(kShortestSeconds, kLongestSeconds));
+    app->add_flag("--boards", a->is_of_boards, "of the calibration films, for calibrate");
+    app->add_flag("--json", a->as_json, "print JSON");
+}
+
+void add_label(CommandTable& table) {
+    const auto [app, arguments] = table.add<LabelArguments>(
+        table.app(), "label", "say which marker is where in first pictures", &label_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--labels",
+                    arguments->labels,
+                    "table of labels (TSV), checked and taken over; without: a window");
+}
+
+void add_track(CommandTable& table) {
+    const auto [app, arguments] = table.add<TrackArguments>(
+        table.app(), "track", "follow the markers through all films", &track);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--labels", arguments->labels, "which marker is where in first pictures (TSV)");
+    app->add_option("--colour", arguments->colour, "how colours are told apart")
+        ->check(CLI::IsMember({"normalised", "crcb"}));
+    app->add_option("--sigma", arguments->sigma, "error of a point in a picture, pixels")
+        ->check(in_range(0.01, 20.0));
+    app->add_option("--acceleration", arguments->acceleration, "of markers when followed, m/s^2")
+        ->check(in_range(0.1, 1000.0));
+    app->add_option("--smoothing", arguments->smoothing, "the same when smoothed afterwards")
+        ->check(in_range(0.1, 1000.0));
+    app->add_flag("--as-named",
+                  arguments->is_as_named,
+                  "films are those of their cameras, whatever their points say");
+    app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
+}
+
+void add_correct(CommandTable& table) {
+    const auto [app, arguments] = table.add<CorrectArguments>(
+        table.app(), "correct", "look at the tracks and put them right, in a window", &correct);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+}
+
+void add_solve(CommandTable& table) {
+    const auto [app, arguments] = table.add<SolveArguments>(
+        table.app(), "solve", "find the dancer's body and its dance in the tracks", &solve_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--height", arguments->height, "metres of the dancer")
+        ->check(in_range(0.8, 2.5));
+    app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")
+        ->check(in_range(1.0, 1000.0));
+    app->add_option("--body", arguments->body, "which joints move")
+        ->check(one_of({"dance", "paper"}));
+    app->add_option("--smoothness", arguments->smoothness, "above 1: softer, below: sharper")
+        ->check(in_range(0.05, 20.0));
+    app->add_flag("--json", arguments->as_json, "print the figures as JSON");
+}
+
+void add_report(CommandTable& table) {
+    const auto [app, arguments] = table.add<ReportArguments>(
+        table.app(), "report", "show what came of a capture, as a page", &report_capture);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
+    app->add_option("-o,--out", arguments->output, "page (HTML); without: report.html in it");
+}
+
+void add_compare(CommandTable& table) {
+    const auto [app, arguments] = table.add<CompareArguments>(
+        table.app(), "compare", "how far two motions of the same dance are apart", &compare);
+    app->add_option("one", arguments->one, "a motion, such as the true one")->required();
+    app->add_option("other", arguments->other, "another one")->required();
+    app->add_option("--shift", arguments->shift, "seconds by which the other one begins later")
+        ->check(in_range(-86400.0, 86400.0));
+    app->add_flag("--json", arguments->as_json, "print JSON");
+}
+
+}  // namespace
+
+void add_commands(CommandTable& table) {
+    table.app().require_subcommand(1);
+    add_run(table);
+    add_simulate(table);
+    add_board(table);
+    add_calibrate(table);
+    add_sync(table);
+    add_label(table);
+    add_track(table);
+    add_correct(table);
+    add_solve(table);
+    add_report(table);
+    add_compare(table);
+}
+
+ExitCode run_command_line(std::vector<std::string> words) {
+    CommandTable table("", "raks capture");
+    add_commands(table);
+    // CLI11 takes the words from the last to the first.
+    std::reverse(words.begin(), words.end());
+    table.app().parse(std::move(words));
+    return table.chosen()();
+}
+
+}  // namespace raks::apps
