@@ -11,7 +11,7 @@ endforeach()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(RaksOpenCV REQUIRED_VARS ${RaksOpenCV_NEEDED}
-    REASON_FAILURE_MESSAGE "run scripts/setup.sh, or configure with -DRAKS_CAPTURE=OFF")
+    REASON_FAILURE_MESSAGE "run scripts/setup.sh learn, or configure with -DRAKS_CAPTURE=OFF")
 mark_as_advanced(${RaksOpenCV_NEEDED})
 
 if(NOT TARGET RaksOpenCV::RaksOpenCV)

@@ -12,7 +12,9 @@ endif()
 option(RAKS_TESTS "Build the tests" ON)
 option(RAKS_WERROR "Warnings are errors" OFF)
 option(RAKS_UNITY "Compile several sources as one" OFF)
+option(RAKS_PRECOMPILE "Compile the headers that all sources include once" OFF)
 option(RAKS_FUZZ "Build the fuzzers (clang)" OFF)
+option(RAKS_TRAIN "Build what learns from music and motion (FluidSynth, OpenBLAS)" ON)
 option(RAKS_CAPTURE "Build what calibrates cameras (OpenCV, Ceres)" ON)
 option(RAKS_IMPORT "Build what reads FBX, Collada, OBJ and Draco (assimp, draco)" ON)
 option(RAKS_COVERAGE "Instrument for gcov" OFF)
@@ -79,7 +81,8 @@ endif()
 
 find_program(RAKS_CCACHE ccache)
 if(RAKS_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${RAKS_CCACHE})
+    # Sources with a precompiled header are kept, too; no source of ours asks for the date.
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${RAKS_CCACHE})
     set(CMAKE_C_COMPILER_LAUNCHER ${RAKS_CCACHE})
 endif()
 find_program(RAKS_MOLD mold)
@@ -89,3 +92,17 @@ endif()
 
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
+
+# Everything is compiled with the definitions of fmt and of threads, as a precompiled header serves only sources with the
+# same definitions.
+find_package(fmt REQUIRED)
+target_link_libraries(raks_options INTERFACE fmt::fmt)
+target_compile_options(raks_options INTERFACE -pthread)
+if(RAKS_PRECOMPILE)
+    # Two sets of flags: libraries, and programs (-fPIE), which are the tests.
+    add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>)
+    add_library(raks_precompiled STATIC cmake/precompiled.cpp)
+    target_include_directories(raks_precompiled PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(raks_precompiled PRIVATE raks_options raks_warnings)
+    target_precompile_headers(raks_precompiled PRIVATE cmake/precompiled.hpp)
+endif()

@@ -1,16 +1,22 @@
 #!/usr/bin/env bash
-# Sets up, builds and tests everything: format, the release build and all its tests, one at a time
-# where they need the machine for themselves, clang-tidy on what changed, the address and thread
-# sanitizers on the parts that need them. Many tests wait for real time: meanwhile clang-tidy and the
-# builds under sanitizers get the processors, where nothing else wants them. Ends with ctest's summary
-# of the release tests.
+# Sets up, builds and tests.
+#   scripts/test.sh               the release build, and all tests that need no sound server, no
+#                                 display and no sanitizer
+#   scripts/test.sh --all         also those, in real time on servers and displays of their own; the
+#                                 format; clang-tidy on what changed; the address and thread sanitizers
+#                                 on what changed and an eighth of the rest: what CI runs
+#   scripts/test.sh --sanitizers  every test program that can run under them, under the sanitizers
+# Ends with what was skipped and why, and with ctest's summary. Tests that read data too large for the
+# repository look for it in $RAKS_SHARED (docs/contributing.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-asan=(base models skeleton formats figures choreography training_figures audio_io audio_evaluate
-    audio_models training_files engine_files apps_plots render_video import avatar_rig fuzz)
-tsan=(base engine engine_live)
-
+mode=${1:-}
+case "$mode" in
+    ""|--all|--sanitizers) ;;
+    *) echo "usage: scripts/test.sh [--all|--sanitizers]" >&2; exit 2 ;;
+esac
+mkdir -p build
 step() { echo "== $* (${SECONDS} s)"; }
 
 # quietly LOG COMMAND...: shows the command's output only when it fails.
@@ -20,65 +26,79 @@ quietly() {
     "$@" >"$log" 2>&1 || { cat "$log"; exit 1; }
 }
 
-# build_programs PRESET PROGRAM...: these test programs under a sanitizer.
-build_programs() {
-    local preset=$1
-    shift
-    step "$preset: build"
-    quietly "$preset" cmake --preset "$preset"
-    quietly "$preset" cmake --build --preset "$preset" -j "$(nproc)" --target "${@/#/raks_tests_}"
-}
+if [ "$mode" = --sanitizers ]; then
+    scripts/setup.sh build run learn test ci
+    exec scripts/sanitize.sh all
+fi
 
-# test_programs PRESET PROGRAM...: runs their tests.
-test_programs() {
-    local preset=$1 names
-    shift
-    step "$preset: $*"
-    names=$(IFS='|'; echo "$*")
-    # Long computations without memory or threads of their own run in release alone.
-    quietly "$preset" ctest --preset "$preset" -j "$(nproc)" -L "^($names)\$" --no-tests=error \
-        -E "OfflineLanding|FigureFromClips|MusicScenes|WrittenFigures|DanceChanges|RealtimeChain"
-    tail -n 3 "build/$preset.log"
-}
-
-# What no test waits for, where nothing else wants the processors.
-compute_in_gaps() {
-    chrt --idle --pid 0 "$BASHPID"
-    build_programs asan "${asan[@]}"
-    build_programs tsan "${tsan[@]}"
-    step "clang-tidy"
-    scripts/tidy.sh --changed
-}
-
-scripts/setup.sh
-# Without the network the tests on PipeWire are skipped.
-scripts/unpack_pipewire.sh || echo "PipeWire could not be fetched"
-
-step "format"
-git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run -Werror
+lists=(build run learn test)
+[ "$mode" != --all ] || lists+=(ci)
+scripts/setup.sh "${lists[@]}"
+if [ "$mode" = --all ]; then
+    # Without the network the tests on PipeWire are skipped.
+    scripts/unpack_pipewire.sh || echo "PipeWire could not be fetched"
+    step "format"
+    git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run -Werror
+fi
 
 step "release: build"
-mkdir -p build
-quietly release cmake --preset release
-cmake --build --preset release -j "$(nproc)"
+quietly release cmake --preset release -DRAKS_TESTS=ON -DRAKS_TRAIN=ON -DRAKS_CAPTURE=ON
+cmake --build --preset release -j "$(nproc)" | { grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking)' || true; }
 
-set -m  # a process group of its own, which ends as a whole
-compute_in_gaps >build/gaps.log 2>&1 &
-gaps=$!
-set +m
-trap 'kill -- -$gaps 2>/dev/null || true' EXIT
+# run_tests LOG ARGUMENTS...: of ctest; its output is shown and kept.
+run_tests() {
+    local log=build/$1.log
+    shift
+    ctest --preset release "$@" | tee "$log"
+}
 
+failed=
 step "release: tests"
-ctest --preset release -j "$(nproc)" | tee build/tests.log
+run_tests tests -j "$(nproc)" -LE '^(soak|servers|display)$' || failed=1
+logs=(build/tests.log)
+cp build/release/Testing/Temporary/LastTest.log build/tests.output
 
-step "what was computed in the gaps"
-# Nothing else wants the processors from here.
-wait $gaps || { cat build/gaps.log; exit 1; }
-cat build/gaps.log
-trap - EXIT
+if [ "$mode" = --all ]; then
+    # Windows wait for each other, live tests for real time: meanwhile what no test waits for gets the
+    # processors, where nothing else wants them.
+    set -m  # a process group of its own, which ends as a whole
+    (chrt --idle --pid 0 "$BASHPID"; scripts/tidy.sh --changed; scripts/sanitize.sh build) >build/gaps.log 2>&1 &
+    gaps=$!
+    set +m
+    trap 'kill -- -$gaps 2>/dev/null || true' EXIT
+    step "release: tests with a display"
+    run_tests display -j "$(nproc)" -L '^display$' || failed=1
+    cat build/release/Testing/Temporary/LastTest.log >>build/tests.output
+    step "release: tests with sound servers, two at a time"
+    if ! run_tests servers -j 2 -L '^servers$'; then
+        # A machine that stands still says nothing about the program.
+        log=build/release/Testing/Temporary/LastTest.log
+        failures=$(sed -n 's/^.*\*\*\*Failed.*//; s/^\t *[0-9]* - \([^ ]*\) (.*/\1/p' build/servers.log)
+        stalls=$(grep -c 'the machine stood still for .* during this test' "$log" || true)
+        if [ "$stalls" -gt 0 ] && [ "$stalls" -eq "$(wc -w <<<"$failures")" ]; then
+            step "again, alone, as the machine stood still: $(tr '\n' ' ' <<<"$failures")"
+            run_tests servers_again --rerun-failed -j 1 || failed=1
+        else
+            failed=1
+        fi
+    fi
+    cat build/release/Testing/Temporary/LastTest.log >>build/tests.output
+    logs+=(build/display.log build/servers.log)
 
-test_programs asan "${asan[@]}"
-test_programs tsan "${tsan[@]}"
+    step "what was computed in the gaps"
+    wait $gaps || { cat build/gaps.log; exit 1; }  # nothing else wants the processors from here
+    cat build/gaps.log
+    trap - EXIT
+    scripts/sanitize.sh run
+fi
 
-step "release: what the tests said"
-sed -n '/tests passed/,$p' build/tests.log
+step "what the tests said"
+# Each skip stands in the output as its line, followed by its reason, then by "Skipped" lines.
+scripts/count_skips.sh build/tests.output
+if [ "$mode" != --all ]; then
+    echo "left out: tests with sound servers or a display, clang-format, clang-tidy, sanitizers; scripts/test.sh --all runs them"
+fi
+for log in "${logs[@]}"; do
+    sed -n '/tests passed/p; /The following tests FAILED/,/Errors while/p' "$log"
+done
+[ -z "$failed" ]

@@ -1,22 +1,13 @@
 #!/usr/bin/env bash
 # Runs clang-tidy (.clang-tidy: every finding is an error) with the commands of the dev preset, which
 # compiles each file alone.
-#   scripts/tidy.sh --changed    the .cpp files that differ from the merge base with the main branch
+#   scripts/tidy.sh --changed    the .cpp files that scripts/changed_files.sh names
 #   scripts/tidy.sh [FILE...]    these files, or every tracked .cpp file
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-main_branch() {
-    local name
-    for name in origin/main main; do
-        git rev-parse --verify --quiet "$name^{commit}" && return
-    done
-    git rev-parse HEAD  # no such branch: nothing has changed
-}
-
 if [ "${1:-}" = --changed ]; then
-    base=$(git merge-base HEAD "$(main_branch)" || git rev-parse HEAD)
-    mapfile -t files < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp')
+    mapfile -t files < <(scripts/changed_files.sh | grep '\.cpp$' || true)
 elif [ $# -gt 0 ]; then
     files=("$@")
 else

@@ -37,7 +37,8 @@ ExitCode become(const char* name,
     argv.push_back(nullptr);
     let_libraries_speak();
     execv(program.c_str(), argv.data());
-    return fail({program + ": is not there; it is installed with raks and has to lie beside it"});
+    return fail(
+        {program + ": is not built; scripts/build.sh learn, in the source tree of Raks, builds it"});
 }
 
 void add_commands_of(RaksCommands& table,

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Installs what is needed and builds Raks in build/release: the programs that dance, or, with `learn`,
+# also those of `raks train` and `raks capture`. Says on stderr how far it is.
+#   scripts/build.sh [learn]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+targets=(raks)
+lists=(build run)
+chosen=()
+case "${1:-}" in
+    "") # A folder that was set up otherwise, as for the tests, keeps what it has.
+        [ -e build/release/CMakeCache.txt ] ||
+            chosen=(-DRAKS_TESTS=OFF -DRAKS_TRAIN=OFF -DRAKS_CAPTURE=OFF) ;;
+    learn)
+        targets+=(raks-train raks-capture)
+        lists+=(learn)
+        chosen=(-DRAKS_TRAIN=ON -DRAKS_CAPTURE=ON)
+        [ -e build/release/CMakeCache.txt ] || chosen+=(-DRAKS_TESTS=OFF) ;;
+    *)
+        echo "usage: scripts/build.sh [learn]" >&2
+        exit 2 ;;
+esac
+scripts/setup.sh "${lists[@]}"
+
+log=build/build.log
+give_up() {
+    echo "build: $*; the whole log is $log" >&2
+    exit 1
+}
+# The first line that names a fault, or the last one.
+fault() { grep -m 1 -E 'No space left|[Kk]illed|fatal error|error:|CMake Error' "$log" || tail -n 1 "$log"; }
+
+mkdir -p build
+cmake --preset release "${chosen[@]}" >"$log" 2>&1 || give_up "it cannot be configured: $(fault)"
+
+# The largest source takes 1.2 GB of memory while it is compiled.
+memory=$(awk '/^MemAvailable:/ {print int($2 / 1200000)}' /proc/meminfo)
+jobs=$(nproc)
+[ "$memory" -ge "$jobs" ] || jobs=$((memory > 1 ? memory : 1))
+
+# show_progress: from ninja's lines "[12/345] ..." how far the build is and how long it still takes.
+# Until a tenth is done, by what the whole took on an ordinary computer.
+show_progress() {
+    local usual=$((500 / jobs)) line finished total left
+    while IFS= read -r line; do
+        [[ "$line" =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+        finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+        if [ $((finished * 10)) -lt "$total" ]; then
+            left=$((usual * (total - finished) / total))
+        else
+            left=$((SECONDS * (total - finished) / finished))
+        fi
+        [ -t 2 ] && printf '\r\033[Kbuilding: %d of %d, about %d min left' "$finished" "$total" $(((left + 59) / 60)) >&2
+    done
+    [ -t 2 ] && printf '\r\033[K' >&2 || true
+}
+SECONDS=0
+steps=$(ninja -C build/release -n "${targets[@]}" 2>/dev/null | grep -c '^\[' || true)
+[ "$steps" -le 1 ] || echo "building $steps steps, $jobs at a time, about $(((500 * steps / 130 / jobs + 59) / 60)) min or less (log: $log)" >&2
+cmake --build --preset release -j "$jobs" --target "${targets[@]}" 2>&1 | tee -a "$log" | show_progress ||
+    give_up "it cannot be built: $(fault)"

@@ -1,0 +1,4 @@
+// The precompiled headers of the tests belong to a program, and a program has a main function.
+int main() {
+    return 0;
+}
