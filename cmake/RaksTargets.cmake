@@ -20,6 +20,29 @@ function(raks_library name)
     add_library(raks::${name} ALIAS ${target})
 endfunction()
 
+# raks_add_to(audio_analyzer SOURCES a.cpp ... [PUBLIC targets] [PRIVATE targets])
+# adds the sources of a sub-room to the library of its room, whose folder comes first.
+function(raks_add_to name)
+    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    target_sources(raks_${name} PRIVATE ${arg_SOURCES})
+    target_link_libraries(raks_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# raks_vectorized(audio_analyzer a.cpp ...)
+# compiles these sources of a library with -O3, and without contraction, so that all clones of a loop
+# give the same bits.
+function(raks_vectorized name)
+    set_source_files_properties(${ARGN} TARGET_DIRECTORY raks_${name}
+        PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=off")
+endfunction()
+
+# raks_compile_quickly(render_import)
+# compiles a library with -O1 in Release: for what is read, written or drawn once and not in every hop,
+# where a fifth of the compile time counts more.
+function(raks_compile_quickly name)
+    target_compile_options(raks_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...] [NEEDS servers|display] [TIMEOUT seconds] [COST seconds] [LOCK name])
 # makes the test program raks_tests_audio (GoogleTest, with the real-time guard linked in) and
 # registers each of its suites with ctest. Labels: the room, plus those given, plus what it needs

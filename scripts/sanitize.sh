@@ -9,11 +9,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Those that neither start the program raks nor need a server or a display.
-asan=(base models skeleton formats figures choreography evaluate training_hmm training_figures
-    training_discovery training_files capture capture_solving capture_pictures calibration audio
-    audio_models audio_evaluate audio_io audio_sync avatar avatar_rig mannequin_model import export
-    render_scene render_overlay render_panes render_video engine_files engine_films engine_import
-    engine_labelling engine_control engine_export apps_plots apps_reports apps_xbody apps_capture fuzz)
+asan=(base models skeleton motion capture audio audio_io audio_music avatar render import
+    training_figures engine_files engine_import engine_show apps apps_capture fuzz)
 # Those with threads.
 tsan=(base engine engine_live)
 

@@ -8,6 +8,7 @@
 #include "apps/raks/avatar_picture.hpp"
 #include "apps/raks/commands.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/json.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
@@ -19,17 +20,12 @@
 #include "render/import/standing_figure.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Names in files need not be UTF-8.
-std::string text_of(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string text_of(const Json& json) { return json.text(2) + "\n"; }
 
 /// Finds the bones of a model that does not name them. One without a figure is shown, too, but a
 /// label file that is wrong is a fault.

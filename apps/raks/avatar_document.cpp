@@ -3,18 +3,16 @@
 #include <array>
 #include <string_view>
 
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 using render::Model;
 using render::ModelSurvey;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include "base/json.hpp"
 
 #include "render/model/model.hpp"
 
@@ -9,8 +9,7 @@ namespace raks::apps {
 
 /// What is in a model, for programs: "raks-avatar", version 1. Counts and measures, the humanoid,
 /// materials, the licence, warnings. `file`: as it was named.
-[[nodiscard]] nlohmann::ordered_json avatar_document(const render::Model& model,
-                                                     const std::string& file);
+[[nodiscard]] Json avatar_document(const render::Model& model, const std::string& file);
 
 /// The same for people.
 [[nodiscard]] std::string avatar_text(const render::Model& model, const std::string& file);

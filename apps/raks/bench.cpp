@@ -14,6 +14,7 @@
 #include "apps/terminal/say.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
+#include "base/json.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/framing.hpp"
@@ -25,7 +26,6 @@
 #include "render/scene/scene.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 
@@ -310,7 +310,7 @@ ExitCode bench(const BenchArguments& arguments) {
 
 std::string to_json(const std::string& what, const BenchReport& report) {
     // All results are on one level, by name.
-    nlohmann::ordered_json document = {{"format", "raks-bench"}, {"version", 1}, {"bench", what}};
+    Json document = {{"format", "raks-bench"}, {"version", 1}, {"bench", what}};
     for (const auto& [name, note] : report.notes) {
         document[name] = note;
     }
@@ -322,7 +322,7 @@ std::string to_json(const std::string& what, const BenchReport& report) {
             {"p50", spread.p50}, {"p95", spread.p95}, {"p99", spread.p99}, {"max", spread.max}};
     }
     // A driver's name need not be UTF-8.
-    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

@@ -5,14 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "base/json.hpp"
 #include "base/printable.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kRestNames = {"t-pose", "turned t-pose", "other"};
 
@@ -72,7 +69,7 @@ std::string clip_document(const std::string& file,
                               {"confidence", rounded(body->stance.facing_confidence)}};
     }
     document["notes"] = figures.notes();
-    return document.dump(2);
+    return document.text(2);
 }
 
 }  // namespace raks::apps

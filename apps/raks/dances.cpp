@@ -4,17 +4,15 @@
 #include "apps/raks/commands.hpp"
 #include "apps/reports/text_table.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // One dance and what examining it found.
 struct FoundDance {
@@ -126,7 +124,7 @@ ExitCode dances(const DancesArguments& arguments) {
     }
     // A folder's name need not be UTF-8.
     if (arguments.as_json) {
-        print_json(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        print_json(json.text(2) + "\n");
     } else {
         print_text(text);
     }

@@ -4,11 +4,11 @@
 
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/device_offsets.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 // Numbers are those that --device and --output take.
 std::string to_json(const std::vector<audio::AudioDevice>& devices,
                     const engine::DeviceOffsets& offsets) {
-    nlohmann::ordered_json document = {{"format", "raks-devices"}, {"version", 2}};
-    auto& list = document["devices"] = nlohmann::ordered_json::array();
+    Json document = {{"format", "raks-devices"}, {"version", 2}};
+    auto& list = document["devices"] = Json::array();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
         list.push_back(
@@ -33,7 +33,7 @@ std::string to_json(const std::vector<audio::AudioDevice>& devices,
              {"offset_ms",
               1e3 * to_seconds(offsets.of(device.name, device.monitor_of).value_or(Nanos(0)))}});
     }
-    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 // A table, and the devices that live and play would choose, with the reasons.

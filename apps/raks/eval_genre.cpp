@@ -13,19 +13,18 @@
 #include "audio/genre/genre_file.hpp"
 #include "audio/io/audio_file.hpp"
 #include "audio/music/damage/sound_damage.hpp"
+#include "base/json.hpp"
 #include "base/parallel.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
 
 using audio::GenreEvidence;
-using Json = nlohmann::ordered_json;
 
 // One row of the tables: a kind of evidence at a window length, after a kind of damage.
 struct PieceRow {
@@ -322,7 +321,7 @@ std::string json_of(const Evaluation& evaluation) {
                                  {"switches", shown.switches},
                                  {"right", rounded(shown.right_share)}});
     }
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.text(1) + "\n";
 }
 
 // The table of all rows, and a line about the decision.

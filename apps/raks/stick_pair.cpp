@@ -11,14 +11,13 @@
 #include "apps/raks/stick_film.hpp"
 #include "apps/raks/stick_points.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "motion/evaluate/point_alignment.hpp"
 #include "motion/evaluate/point_comparison.hpp"
 #include "render/scene/point_figure.hpp"
 
 #include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -72,8 +71,8 @@ std::string table_of(const motion::PointComparison& comparison) {
 }
 
 // Numbers by frame; null where nothing was seen.
-nlohmann::ordered_json over_time(const std::vector<float>& values) {
-    auto list = nlohmann::ordered_json::array();
+Json over_time(const std::vector<float>& values) {
+    auto list = Json::array();
     for (const float value : values) {
         if (std::isnan(value)) {
             list.push_back(nullptr);
@@ -86,7 +85,6 @@ nlohmann::ordered_json over_time(const std::vector<float>& values) {
 
 std::string comparison_document(const StickArguments& arguments,
                                 const motion::PointComparison& comparison) {
-    using Json = nlohmann::ordered_json;
     Json points = Json::array();
     for (const motion::PointDistance& point : comparison.points) {
         Json row = {{"name", printable(point.name)}, {"frames", point.frames}};
@@ -111,7 +109,7 @@ std::string comparison_document(const StickArguments& arguments,
         {"worst_frame_rms", comparison.worst_frame_rms},
         {"rms_by_frame", over_time(comparison.rms_over_time)},
         {"points", points}};
-    return document.dump(1) + "\n";
+    return document.text(1) + "\n";
 }
 
 // The curve over the bar: the worst frame is as high as it goes.

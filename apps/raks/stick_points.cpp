@@ -9,6 +9,7 @@
 
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "motion/skeleton/points/guessed_edges.hpp"
@@ -16,8 +17,6 @@
 #include "render/scene/point_figure.hpp"
 
 #include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -135,7 +134,6 @@ Expected<JoinedPoints> join_points(const StickArguments& arguments,
 }
 
 std::string points_document(const std::string& name, const motion::WorldPoints& points) {
-    using Json = nlohmann::ordered_json;
     const motion::PointClip& clip = points.clip;
     Json list = Json::array();
     for (std::size_t point = 0; point < clip.names.size(); ++point) {
@@ -156,7 +154,7 @@ std::string points_document(const std::string& name, const motion::WorldPoints& 
                            {"frames_per_second", clip.frames_per_second},
                            {"points", list},
                            {"edges", edges}};
-    return document.dump(2);
+    return document.text(2);
 }
 
 }  // namespace raks::apps

@@ -13,16 +13,13 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/json.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace raks::apps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kChoicesFile = "calibration.toml";
 
@@ -240,7 +237,7 @@ ExitCode calibrate(const CalibrateArguments& arguments) {
         say(doubt);
     }
     if (arguments.as_json) {
-        print_json(report_json(*done).dump(2) + "\n");
+        print_json(report_json(*done).text(2) + "\n");
     } else {
         print_text(report_text(*done));
     }

@@ -1,14 +1,13 @@
 // `raks capture compare`: how far two motions of the same dance are apart.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/json.hpp"
 #include "motion/evaluate/motion_comparison.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 
@@ -54,28 +53,28 @@ std::string table_of(const motion::MotionComparison& comparison) {
 
 std::string json_of(const motion::MotionComparison& comparison) {
     const auto joint_json = [](const motion::JointDifference& joint) {
-        nlohmann::ordered_json json = {{"from_hips", joint.from_hips}, {"world", joint.world}};
+        Json json = {{"from_hips", joint.from_hips}, {"world", joint.world}};
         if (joint.angle) {
             json["angle"] = *joint.angle;
         }
         return json;
     };
-    nlohmann::ordered_json joints;
+    Json joints;
     for (std::size_t i = 0; i < comparison.joints.size(); ++i) {
         joints[std::string(motion::kBoneNames[index_of(motion::kBodyBones[i])])] =
             joint_json(comparison.joints[i]);
     }
     joints["leftToeTip"] = joint_json(comparison.toes[0]);
     joints["rightToeTip"] = joint_json(comparison.toes[1]);
-    const nlohmann::ordered_json json = {{"format", "raks-comparison"},
-                                         {"version", 1},
-                                         {"seconds", comparison.seconds},
-                                         {"from_hips", comparison.from_hips},
-                                         {"world", comparison.world},
-                                         {"feet", comparison.feet},
-                                         {"angle", comparison.angle},
-                                         {"joints", joints}};
-    return json.dump(2) + "\n";
+    const Json json = {{"format", "raks-comparison"},
+                       {"version", 1},
+                       {"seconds", comparison.seconds},
+                       {"from_hips", comparison.from_hips},
+                       {"world", comparison.world},
+                       {"feet", comparison.feet},
+                       {"angle", comparison.angle},
+                       {"joints", joints}};
+    return json.text(2) + "\n";
 }
 
 }  // namespace

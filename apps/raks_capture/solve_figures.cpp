@@ -2,14 +2,13 @@
 
 #include <cmath>
 
+#include "base/json.hpp"
 #include "motion/choreography/joint_limits.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
 
-using Figures = nlohmann::ordered_json;
+using Figures = Json;
 
 constexpr double kMillimetres = 1000.0;  // in a metre
 
@@ -92,7 +91,7 @@ std::string solve_json(const capture::SolvedDance& dance, const std::optional<Bo
         doubts.push_back({{"what", doubt.what}, {"first", doubt.first}, {"last", doubt.last}});
     }
     document["doubts"] = doubts;
-    return document.dump(2) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "apps/reports/form_names.hpp"
+#include "base/json.hpp"
 #include "base/printable.hpp"
 #include "base/statistics.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -79,25 +79,25 @@ void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
 }
 
 // Energy, parts, events and accents.
-void AnalysisDocument::add_form(nlohmann::ordered_json& document) const {
-    auto& energy = document["energy"] = nlohmann::ordered_json::array();
+void AnalysisDocument::add_form(Json& document) const {
+    auto& energy = document["energy"] = Json::array();
     for (const EnergyPoint& point : energy_) {
         energy.push_back({{"time", point.time},
                           {"now", shortened(point.energy.now)},
                           {"lately", shortened(point.energy.lately)},
                           {"longer", shortened(point.energy.longer)}});
     }
-    auto& parts = document["parts"] = nlohmann::ordered_json::array();
+    auto& parts = document["parts"] = Json::array();
     for (const PartPoint& point : parts_) {
         parts.push_back({{"time", point.time}, {"part", name_of(point.part)}});
     }
-    auto& events = document["events"] = nlohmann::ordered_json::array();
+    auto& events = document["events"] = Json::array();
     for (const ToldEvent& told : events_) {
         events.push_back({{"time", rounded(told.event.time)},
                           {"event", name_of(told.event.kind)},
                           {"told", rounded(told.told)}});
     }
-    auto& accents = document["accents"] = nlohmann::ordered_json::array();
+    auto& accents = document["accents"] = Json::array();
     for (const MusicAccent& accent : accents_) {
         accents.push_back({{"time", rounded(accent.time)},
                            {"strength", shortened(accent.strength)},
@@ -108,19 +108,19 @@ void AnalysisDocument::add_form(nlohmann::ordered_json& document) const {
 
 // ordered_json keeps the keys in the order in which they are added.
 std::string AnalysisDocument::to_json(Nanos duration) const {
-    nlohmann::ordered_json document;
+    Json document;
     document["format"] = "raks-analysis";
     document["version"] = 1;
     document["file"] = file_;
     document["duration"] = rounded(to_seconds(duration));
     document["sample_rate"] = rate_.hertz();
-    auto& tempo = document["tempo"] = nlohmann::ordered_json::array();
+    auto& tempo = document["tempo"] = Json::array();
     for (const TempoPoint& point : tempo_) {
         tempo.push_back({{"time", point.time},
                          {"bpm", std::round(point.bpm * 1e3) / 1e3},
                          {"confidence", shortened(point.confidence)}});
     }
-    auto& beats = document["beats"] = nlohmann::ordered_json::array();
+    auto& beats = document["beats"] = Json::array();
     for (const BeatEvent& beat : beats_) {
         beats.push_back({{"time", rounded(beat.time)},
                          {"bar_position", beat.bar_position},
@@ -128,24 +128,24 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
     }
     document["predicted"] = predicted_;
     document["meter"] = beats_per_bar_;
-    auto& genre = document["genre"] = nlohmann::ordered_json::array();
+    auto& genre = document["genre"] = Json::array();
     // The posterior by class name; the state holds natural logarithms.
     for (const GenrePoint& point : genre_) {
-        nlohmann::ordered_json posterior;
+        Json posterior;
         for (std::size_t i = 0; i < genres_.size(); ++i) {
             posterior[genres_[i]] = shortened(std::exp(point.log_probability[i]));
         }
         genre.push_back(
             {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
     }
-    auto& loudness = document["loudness"] = nlohmann::ordered_json::array();
+    auto& loudness = document["loudness"] = Json::array();
     for (const LoudnessPoint& point : loudness_) {
         loudness.push_back({{"time", point.time},
                             {"lufs", std::round(static_cast<double>(point.lufs) * 10) / 10}});
     }
     add_form(document);
     // A file's name need not be UTF-8; invalid bytes become the replacement character.
-    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 // Median over the points at which the tracker was fairly sure; 0 when there are none.

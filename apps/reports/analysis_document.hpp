@@ -3,11 +3,10 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+#include "base/json.hpp"
 
 #include "base/music_state.hpp"
 #include "base/time.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace raks::apps {
 
@@ -62,7 +61,7 @@ class AnalysisDocument {
         StreamTime told;
     };
 
-    void add_form(nlohmann::ordered_json& document) const;
+    void add_form(Json& document) const;
     [[nodiscard]] double median_bpm() const;
 
     std::string file_;

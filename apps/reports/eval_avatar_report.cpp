@@ -3,15 +3,13 @@
 #include <cmath>
 
 #include "apps/reports/text_table.hpp"
+#include "base/json.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
-
-using Json = nlohmann::ordered_json;
 using Value = std::optional<double>;
 using Limit = std::optional<Bound>;
 
@@ -189,7 +187,7 @@ std::string to_json(const AvatarReport& report) {
                            {"dances", dances}});
     }
     // A name need not be UTF-8; invalid bytes become the replacement character.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

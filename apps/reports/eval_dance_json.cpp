@@ -4,14 +4,12 @@
 #include <tuple>
 
 #include "apps/reports/eval_dance_report.hpp"
-
-#include <nlohmann/json.hpp>
+#include "base/json.hpp"
 
 namespace raks::apps {
 namespace {
 
 using engine::TrialKind;
-using Json = nlohmann::ordered_json;
 
 // Names as the document's readers know them.
 const char* name_of(TrialKind kind) {
@@ -187,7 +185,7 @@ std::string to_json(const DanceReport& report) {
         }
     }
     // A take's name need not be UTF-8; invalid bytes become the replacement character.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

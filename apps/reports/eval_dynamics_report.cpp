@@ -3,16 +3,15 @@
 #include <cmath>
 
 #include "apps/reports/text_table.hpp"
+#include "base/json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
 
 using engine::DynamicsResult;
 using engine::Knowledge;
-using Json = nlohmann::ordered_json;
 using Reading = std::optional<double>;
 
 // Correlation of loudness and motion to reach on recordings.
@@ -242,7 +241,7 @@ std::string to_text(const DynamicsReport& report) {
            text_table(rows) + "\n";
 }
 
-nlohmann::ordered_json to_json(const DynamicsReport& report) {
+Json to_json(const DynamicsReport& report) {
     Json bounds = Json::object();
     for (const DynamicsQuantity& quantity : dynamics_quantities()) {
         if (const auto& bound = quantity.bound) {
@@ -289,7 +288,7 @@ std::string to_json(std::span<const FollowedFile> files) {
     document["mean"] = {{"known", means.known}, {"live", means.live}};
     document["bounds"] = {{"known", kFollowsKnown.lowest}, {"live", kFollowsLive.lowest}};
     // A file's name need not be UTF-8; invalid bytes become the replacement character.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

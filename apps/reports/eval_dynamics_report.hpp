@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "apps/reports/bound.hpp"
+#include "base/json.hpp"
 #include "engine/trials/dynamics_trial.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace raks::apps {
 
@@ -44,7 +43,7 @@ struct Verdict {
 /// A table in Markdown: quantity, bound, both values ("!": out of bounds), reached or not.
 [[nodiscard]] std::string to_text(const DynamicsReport& report);
 /// `bounds`, and by `known` and `live`: `values` and `outside`.
-[[nodiscard]] nlohmann::ordered_json to_json(const DynamicsReport& report);
+[[nodiscard]] Json to_json(const DynamicsReport& report);
 
 /// How the dances to one file follow its loudness.
 struct FollowedFile {

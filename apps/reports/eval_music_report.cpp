@@ -7,10 +7,10 @@
 
 #include "apps/reports/form_names.hpp"
 #include "apps/reports/text_table.hpp"
+#include "base/json.hpp"
 #include "base/statistics.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -71,7 +71,7 @@ std::string to_text(const MusicReport& report) {
 }
 
 std::string to_json(const MusicReport& report) {
-    nlohmann::ordered_json document;
+    Json document;
     document["format"] = "raks-eval-music";
     document["version"] = 1;
     document["minutes"] = report.minutes;
@@ -86,7 +86,7 @@ std::string to_json(const MusicReport& report) {
                 {"delay_p95_s", percentile(score.delays, 0.95)}};
         });
     }
-    return document.dump(2) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "apps/reports/text_table.hpp"
+#include "base/json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace raks::apps {
 namespace {
@@ -147,8 +147,6 @@ std::string to_text(const BeatReport& report, Detail detail) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Scores by the short names of the measures; null where a tracker has no value.
 Json scores_of(const audio::BeatScores& scores) {
     Json document = Json::object();
@@ -188,7 +186,7 @@ std::string to_json(const BeatReport& report) {
         trackers.push_back(tracker_of(report, tracker));
     }
     // A file's name need not be UTF-8; invalid bytes become the replacement character.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return document.text(2) + "\n";
 }
 
 }  // namespace raks::apps

@@ -13,7 +13,7 @@ namespace {
 constexpr float kCompression = 30.0F;
 // The threshold is this share of the moving median plus a floor, below which nothing is an onset.
 constexpr float kMedianShare = 1.0F;
-constexpr float kFloor = 2.0F;
+constexpr float kLowestThreshold = 2.0F;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ PaperFlux::Frame PaperFlux::add(std::span<const float> window) noexcept RAKS_NON
     frame.strength = strengths_[(hops_ + kMedian - 1 - kDelay) % kMedian];
     auto sorted = strengths_;
     std::nth_element(sorted.begin(), sorted.begin() + kDelay, sorted.end());
-    frame.threshold = kMedianShare * sorted[kDelay] + kFloor;
+    frame.threshold = kMedianShare * sorted[kDelay] + kLowestThreshold;
     return frame;
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "audio/evaluate/table_cells.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 
@@ -78,19 +79,6 @@ std::string_view take_word(std::string_view& line) {
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
     line.remove_prefix(word.size());
     return word;
-}
-
-// The tab-separated cells of a line; an empty line has one empty cell.
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t tab = line.find('\t');
-        cells.push_back(line.substr(0, tab));
-        if (tab == std::string_view::npos) {
-            return cells;
-        }
-        line.remove_prefix(tab + 1);
-    }
 }
 
 // The number that a whole word spells. from_chars ignores the locale, and it reads "inf" and "nan",

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "audio/evaluate/table_cells.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
 
@@ -30,19 +31,6 @@ std::string labels_of(const DanceList& dances) {
         }
     }
     return fmt::format("{} or {}", text, kOther);
-}
-
-// The tab-separated cells of a line.
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    while (true) {
-        const std::size_t tab = line.find('\t');
-        cells.push_back(line.substr(0, tab));
-        if (tab == std::string_view::npos) {
-            return cells;
-        }
-        line.remove_prefix(tab + 1);
-    }
 }
 
 // Lines without their ends. Empty ones are kept, so that index + 1 is the number in the file.

@@ -11,7 +11,7 @@ namespace {
 // that a soft passage still looks soft.
 constexpr float kRise = 1.0F / 20.0F;  // of the difference, a hop
 constexpr float kFall = 1.0F / 500.0F;
-constexpr float kFloor = 0.05F;            // lowest level: silence is not scaled up
+constexpr float kLowestLevel = 0.05F;      // lowest level: silence is not scaled up
 constexpr float kInputCompression = 8.0F;  // log(1 + 8 x magnitude / level)
 constexpr float kRiseGain = 2.0F;          // factor of the rises
 constexpr float kMiddle = 0.8F;            // of the compressed magnitudes; subtracted
@@ -24,7 +24,7 @@ NetworkInput::Frame NetworkInput::next(std::span<const float> mel_magnitudes) no
                        static_cast<float>(kBands);
     // Level of the spectrum, over which all magnitudes are taken.
     level_ += (mean > level_ ? kRise : kFall) * (mean - level_);
-    const float scale = kInputCompression / std::max(level_, kFloor);
+    const float scale = kInputCompression / std::max(level_, kLowestLevel);
     Bands now{};
     for (std::size_t band = 0; band < kBands; ++band) {
         now[band] = std::log1p(scale * mel_magnitudes[band]);

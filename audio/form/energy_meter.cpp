@@ -12,7 +12,7 @@ constexpr int kLookUp = 20;                // hops between two values of a range
 constexpr int kKeepEvery = 10;             // hops between two energies that are kept
 constexpr std::size_t kLately = 40;        // of these: 4 s
 constexpr float kGateStep = 1.0F / 15.0F;  // from sound to nothing in 0.15 s
-constexpr float kFloor = 45.0F;            // dB below the high level where levels are not followed
+constexpr float kFloorBelowHigh = 45.0F;   // dB below the high level where levels are not followed
 constexpr float kKnownHops = 1500.0F;      // after which a song's range is known
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr float kKnownHops = 1500.0F;      // after which a song's range is know
 // Levels are averaged as dB, as a listener's sense of loudness is: a mean of powers would be that
 // of the loudest drum, and sparse music as loud as dense.
 void EnergyMeter::follow(const HopSound& sound) noexcept {
-    const float floor = ranges_[0].size() == 0 ? sound.level : known_[0].high - kFloor;
+    const float floor = ranges_[0].size() == 0 ? sound.level : known_[0].high - kFloorBelowHigh;
     const EnergyParts parts = energy_parts(sound, floor);
     if (!has_begun_) {
         has_begun_ = true;

@@ -13,7 +13,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kTiny = 1e-6F;
+constexpr float kSmallestLength = 1e-6F;
 constexpr glm::vec3 kUp{0.0F, 1.0F, 0.0F};
 constexpr glm::vec3 kForward{0.0F, 0.0F, 1.0F};
 // Of the palm, in the frame of either hand.
@@ -57,7 +57,7 @@ constexpr float kArmThickness = 0.06F;  // from the bone to her palm's middle
 
 glm::vec3 direction(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
     const float length = glm::length(vector);
-    return length > kTiny ? vector / length : otherwise;
+    return length > kSmallestLength ? vector / length : otherwise;
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ namespace {
 glm::vec3 within_reach(const Limb& arm, float length, const glm::vec3& target) noexcept {
     const glm::vec3 line = target - arm.root;
     const float reach = glm::length(line);
-    if (reach < kTiny) {
+    if (reach < kSmallestLength) {
         return target;
     }
     const float held = soft_max(reach, kNearest * length, kNearestSoftly * length);
@@ -203,7 +203,7 @@ void CoupleGrips::reach(Hand& hand) const noexcept {
         // The turn grows as the sine of what is missing: a palm that faces the other way is left as
         // it is, as neither way round is the shorter one.
         const glm::vec3 turn = kMostWrist * share * glm::cross(wrist * kPalmNormal, normal);
-        const float angle = std::max(glm::length(turn), kTiny);
+        const float angle = std::max(glm::length(turn), kSmallestLength);
         pose.rotation(hand.arm.end) =
             glm::normalize(glm::conjugate(lower) * glm::angleAxis(angle, turn / angle) * wrist);
         const glm::vec3 from_wrist = lower * pose.rotation(hand.arm.end) * middle;

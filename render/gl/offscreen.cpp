@@ -186,7 +186,7 @@ Expected<void> OffscreenContext::make_current() {
 namespace {
 
 /// A framebuffer with colour and depth of `samples` a pixel (0: no multisampling).
-struct Surface {
+struct Attachments {
     gl::Framebuffer framebuffer;
     gl::Renderbuffer colour;
     gl::Renderbuffer depth;
@@ -195,7 +195,7 @@ struct Surface {
 };
 
 /// Attaches storage of the wanted size; the driver's refusal becomes an error, not a black picture.
-Expected<void> Surface::allocate(const OffscreenTargetConfig& config, GLsizei samples) {
+Expected<void> Attachments::allocate(const OffscreenTargetConfig& config, GLsizei samples) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     glBindRenderbuffer(GL_RENDERBUFFER, colour.name());
     glRenderbufferStorageMultisample(
@@ -236,8 +236,8 @@ Expected<void> validate(const OffscreenTargetConfig& config) {
 
 struct OffscreenTarget::Parts {
     OffscreenTargetConfig config;
-    Surface drawn;
-    std::optional<Surface> resolved;  // with multisampling: what is read
+    Attachments drawn;
+    std::optional<Attachments> resolved;  // with multisampling: what is read
 };
 
 Expected<OffscreenTarget> OffscreenTarget::create(const OffscreenTargetConfig& config) {

@@ -1,5 +1,7 @@
 #include "render/gl/window.hpp"
 
+// OpenGL comes from epoxy, which other sources include.
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 
 #include "base/thread_priority.hpp"
 
-#define GLFW_INCLUDE_NONE
 namespace raks::render {
 
 void sleep_until(HostTime due) noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "audio/io/wav_writer.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::test {
 
@@ -16,6 +17,12 @@ std::vector<std::string> ProgramTest::files() const {
     }
     std::sort(names.begin(), names.end());
     return names;
+}
+
+void ProgramTest::draw_small_pictures() const {
+    std::filesystem::create_directories(folder_ / "config" / "raks");
+    ASSERT_TRUE(write_file(folder_ / "config" / "raks" / "config.toml",
+                           "[picture]\nsize = \"320x180\"\nfps = 15.0\nquality = \"fast\"\n"));
 }
 
 audio::GeneratedMusic ProgramTest::write_music(const std::string& name,

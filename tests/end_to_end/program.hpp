@@ -41,6 +41,8 @@ class ProgramTest : public ::testing::Test {
     [[nodiscard]] std::string path(const std::string& name) const {
         return (folder_ / name).string();
     }
+    /// The user's settings ask for small pictures, where how much is drawn does not matter.
+    void draw_small_pictures() const;
     /// Music by the generator as 16-bit WAV.
     audio::GeneratedMusic write_music(const std::string& name, const audio::MusicPlan& plan) const;
     void write_clicks(const std::string& name, double seconds = 3.0) const;

@@ -30,6 +30,7 @@ class TeachDance : public ProgramTest {
         write_music("song.wav", plan);
         fs::rename(folder_ / "song.wav", folder_ / "song.mp3");  // told by what it holds
         write_dance(folder_ / "my.toml", "tango");
+        draw_small_pictures();
     }
 
     /// Runs a command in the test's folder.

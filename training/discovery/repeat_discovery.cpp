@@ -25,7 +25,7 @@ constexpr double kStretchRepeats = 0.25;  // share explained in it: many stretch
 constexpr int kRounds = 4;                // of borders and template, until count 1 is sought
 constexpr int kLastRounds = 2;            // of them after that
 constexpr int kMostBeats = 64;            // of one figure
-constexpr double kFastestDance = 260.0;   // BPM
+constexpr double kFastestTempo = 260.0;   // BPM
 constexpr double kUsualBeat = 0.5;        // seconds, where the motion has no beat
 constexpr double kMoving = 0.15;          // of the fastest change of the signals: less is waiting
 constexpr double kBarLine = 0.1;          // weight of repeats that begin on bar lines
@@ -54,7 +54,7 @@ Expected<void> check_motion(const TrainingClip& clip, const MotionSignals& signa
 
 /// Of a dance this fast the rate is likelier wrong than the dancer that quick.
 void warn_of_rate(FoundRepeats& found) {
-    if (found.tempo() > kFastestDance) {
+    if (found.tempo() > kFastestTempo) {
         found.warnings.push_back(fmt::format(
             "its repeats of {} beats last {:.2f} s, {:.0f} BPM, faster than people dance: "
             "is the frame rate right? (--fps)",

@@ -6,13 +6,13 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kLevelBeats = 10;       // memory of a band's level
-constexpr float kCompression = 4.0F;  // log(1 + 4 x magnitude / level)
-constexpr float kMiddle = 1.6F;       // ln(1 + kCompression): a band at its level
-constexpr float kAudible = 0.02F;     // share of all bands' mean level, added to each band's
-constexpr float kFloor = 1e-9F;       // digital silence
-constexpr float kFirstChange = 0.3F;  // in place of the change at the first beat
-constexpr float kUsualHops = 50.0F;   // of a beat at 120 BPM
+constexpr int kLevelBeats = 10;           // memory of a band's level
+constexpr float kCompression = 4.0F;      // log(1 + 4 x magnitude / level)
+constexpr float kMiddle = 1.6F;           // ln(1 + kCompression): a band at its level
+constexpr float kAudible = 0.02F;         // share of all bands' mean level, added to each band's
+constexpr float kDigitalSilence = 1e-9F;  // digital silence
+constexpr float kFirstChange = 0.3F;      // in place of the change at the first beat
+constexpr float kUsualHops = 50.0F;       // of a beat at 120 BPM
 // Brings the evidence to the size of the other inputs: downbeats are rarer than beats.
 constexpr float kBeatScale = 2.0F;
 constexpr float kDownbeatScale = 4.0F;
@@ -59,7 +59,7 @@ BarInput::Frame BarInput::next_beat() noexcept RAKS_NONBLOCKING {
     }
     // A plain mean over the first beats, an exponential one later.
     const float share = 1.0F / static_cast<float>(std::min(beats_ + 1, kLevelBeats));
-    float floor = kFloor;
+    float floor = kDigitalSilence;
     for (std::size_t band = 0; band < kBands; ++band) {
         whole[band] /= static_cast<float>(std::max(1, hops));
         level_[band] += share * (whole[band] - level_[band]);
