@@ -1,6 +1,6 @@
 // What the shipped model makes of our own generator's music: the scenes of Ofli 2008, section 7.
 // The generator is also among what the model learnt from: this shows that the chain works, not that
-// it knows music (docs/measurements.md does).
+// it knows music (docs/measurements/genre.md does).
 #include <gtest/gtest.h>
 
 #include <algorithm>
