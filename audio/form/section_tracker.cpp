@@ -6,15 +6,24 @@
 namespace raks::audio {
 namespace {
 
-constexpr int kBarEvery = 20;         // hops between two bars that are remembered
-constexpr std::size_t kKnown = 25;    // bars after which there is something to compare with
-constexpr double kFull = 0.7;         // share of the bars that are less full
-constexpr int kSureHops = 12;         // in which a bar must be a breakdown
-constexpr HopIndex kLongest = 4'500;  // hops: after 45 s a breakdown is how the song is
-constexpr float kBuildUpRise = 1.2F;  // rise_of() of a build-up
-constexpr float kRoll = 1.3F;         // of the full band's onsets: a roll, which leads to a drop
-constexpr float kStepLevel = 12.0F;   // dB from the bar before to the first beat of a drop
-constexpr float kStepLow = 12.0F;     // likewise of the low band
+// While the whole band plays, the sound of the last bar is remembered every so many hops.
+constexpr int kHopsBetweenBars = 20;
+// From so many remembered bars on there is something to compare a bar with.
+constexpr std::size_t kLeastBars = 25;
+// The full band is as loud and as dense as the bar below which this share of the bars lies.
+constexpr double kFullBandShare = 0.7;
+// A breakdown is told when the last bar has looked like one for so many hops.
+constexpr int kBreakdownHops = 12;
+// After 45 s a breakdown is no breakdown any more: the song is like that.
+constexpr HopIndex kLongestBreakdownHops = 4'500;
+// rise_of() of a build-up is at least this.
+constexpr float kLeastBuildUpRise = 1.2F;
+// This many times the onsets of the full band are a drum roll, which leads to a drop.
+constexpr float kRollFactor = 1.3F;
+// From the bar before to its first beat a drop is louder by so much: as a whole, and in the low
+// band.
+constexpr float kDropStepDecibels = 12.0F;
+constexpr float kDropLowStepDecibels = 12.0F;
 
 }  // namespace
 
@@ -23,7 +32,11 @@ void SectionTracker::remember(const StretchSound& bar) noexcept {
     level_.add(bar.level);
     low_onsets_.add(bar.low_onsets);
     onsets_.add(bar.onsets);
-    full_ = {low_.at(kFull), level_.at(kFull), low_onsets_.at(kFull), onsets_.at(kFull), 0.0F};
+    full_ = {low_.at(kFullBandShare),
+             level_.at(kFullBandShare),
+             low_onsets_.at(kFullBandShare),
+             onsets_.at(kFullBandShare),
+             0.0F};
 }
 
 void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
@@ -34,8 +47,8 @@ void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
     full_hops_ = 0;
 }
 
-// The hop of the last two bars after which the sound is most unlike that before; -1: it fell little
-// by little.
+// Of the last two bars, the hop after which the sound differs most from what it was before; -1
+// where the sound has faded little by little.
 HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcept {
     const auto bar = static_cast<std::size_t>(lengths.bar);
     const auto least = static_cast<std::size_t>(lengths.beat) / 2;
@@ -80,19 +93,19 @@ bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) 
     return phrases > 0.5 && apart < 0.35 * lengths.beat;
 }
 
-// While the whole band plays.
+// One hop while the whole band plays: has a breakdown begun?
 MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
     // After a drop the last bar must be of the whole band.
-    const bool is_known = low_.size() >= kKnown && hop - entered_ > lengths.bar;
+    const bool is_known = low_.size() >= kLeastBars && hop - entered_ > lengths.bar;
     if (!is_known || !fall_of(bar, full_).is_breakdown()) {
         fallen_hops_ = 0;
-        if (count_ % kBarEvery == 0) {
+        if (count_ % kHopsBetweenBars == 0) {
             remember(bar);
         }
         return {};
     }
-    if (++fallen_hops_ < kSureHops) {
+    if (++fallen_hops_ < kBreakdownHops) {
         return {};
     }
     // A fade has no step.
@@ -121,9 +134,9 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
         return true;
     }
     const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
-    const float step =
-        std::min((now.level - before.level) / kStepLevel, (now.low - before.low) / kStepLow);
-    if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRoll * full_.onsets) {
+    const float step = std::min((now.level - before.level) / kDropStepDecibels,
+                                (now.low - before.low) / kDropLowStepDecibels);
+    if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRollFactor * full_.onsets) {
         return true;
     }
     return is_end_of_phrase(hop, lengths);
@@ -137,7 +150,7 @@ HopIndex SectionTracker::place_of_rise(HopIndex hop, const BeatLengths& lengths)
     return phrases > 0.5 && apart < 5 * lengths.beat && end < hop ? end : calm_hop_;
 }
 
-// While the rhythm section is gone.
+// One hop while the rhythm section is gone: has a drop come?
 MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
     if (is_drop(hop, lengths)) {
         const HopIndex at = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat
@@ -156,7 +169,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         enter(MusicPart::playing, hop);
         return {MusicEvent::Kind::drop, time_of_hop(since)};
     }
-    if (hop - entered_ > kLongest) {
+    if (hop - entered_ > kLongestBreakdownHops) {
         // How the song goes on: there is nothing to wait for.
         for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
             range->reset();
@@ -175,7 +188,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         return rise_of(calm_, sums_.mean((ago + 2) * beat, ago * beat), full_);
     };
     const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
-    if (rise > kBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
+    if (rise > kLeastBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         part_ = MusicPart::build_up;
         full_hops_ = 0;
         return {MusicEvent::Kind::build_up, time_of_hop(place_of_rise(hop, lengths))};

@@ -5,10 +5,10 @@
 
 namespace raks::engine {
 
-/// Leads connections that lead nowhere to where they can only be meant: the mesh of a binary FBX
-/// whose connection names a model that is not there goes to a mesh model that has none, one after
-/// the other as they are in the file. Such a mesh would be left out in silence. Says in `notes`
-/// what it did, a line each. `bytes`: what check_fbx finds good; their length stays. Threads: any.
+/// Mends meshes of a binary FBX that belong to no model: the file connects each of them to a model
+/// that it does not hold, and readers leave such a mesh out without a word. Each one is connected
+/// to a model for meshes that has no mesh, in the order in which both stand in the file. `notes`
+/// gets a line for each. `bytes`: a file that check_fbx finds good; its length stays. Threads: any.
 /// Real-time: no.
 void mend_fbx_connections(std::string& bytes, std::vector<std::string>& notes);
 

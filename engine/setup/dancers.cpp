@@ -60,7 +60,8 @@ struct DanceLoader {
     int threads = 1;
     StopSolving stop;
 
-    // One a part. Errors: that of the first part for which it cannot be solved; a stop.
+    // Solves a dance for each part, in the order of the parts. Errors: of the first part for which
+    // it cannot be solved; a stop was asked for.
     [[nodiscard]] Expected<Libraries> solve(const std::string& dance) const {
         std::vector<std::optional<Expected<std::shared_ptr<const motion::DanceLibrary>>>> solved(
             parts.size());
@@ -96,8 +97,9 @@ struct DanceLoader {
         return {};
     }
 
-    // Adds a dance to all repertoires, or to none when it cannot be solved for one of them: nobody
-    // must dance what the others cannot. The first dancer's is the last: what it knows, all know.
+    // Adds a dance to the repertoires of all parts, or to none when it cannot be solved for one of
+    // them: nobody must dance what the others cannot. The first dancer gets it last, so that
+    // everybody knows what the first dancer knows.
     [[nodiscard]] Expected<void> add(const std::string& dance) const {
         auto libraries = solve(dance);
         if (!libraries) {

@@ -41,14 +41,14 @@ class DancerBodies {
         render::AvatarHandle handle;  ///< what names `avatar` in the renderer
         std::shared_ptr<const render::Avatar> avatar;
     };
-    /// The bodies of one avatar: one, or two with one skeleton. Of the dancers who wear it every
-    /// second one has the second, and of a couple the lead.
+    /// The bodies of one avatar: one, or two with the same skeleton. Of the dancers who wear the
+    /// avatar every second one, and of a couple the lead, has the second body.
     using Builds = std::vector<Worn>;
-    /// What dancers wear: dancer k has avatar k modulo their number. Not empty.
+    /// The avatars of all dancers, in turn: dancer k wears avatar k modulo their number. Not empty.
     using Wardrobe = std::vector<Builds>;
 
-    /// `made_for`: a body that stands as high as those that dances are solved for. `habits`:
-    /// of all faces.
+    /// `made_for`: the body for which danced poses are solved, or one that stands as high.
+    /// `habits`: how all faces behave.
     DancerBodies(Wardrobe wardrobe, motion::Skeleton made_for, FaceHabits habits = {});
 
     /// From the next moment on they wear this; tails begin anew. Returns what they wore.

@@ -306,8 +306,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
                      skeleton,
                      grammar != nullptr ? grammar->starts : FigureGrammar::Starts::common);
 
-    // Decided for the dance as a whole (the least over its figures): it was learnt from people or
-    // written, and a slow figure alone may look like either.
+    // A dance learnt from people has lost detail of its motion, a written one has not. A slow
+    // figure alone may look like either, so the figure that lost least decides for the whole dance.
     double lost = 1.0;
     for (std::size_t i = 0; i < figures.size(); ++i) {
         lost = std::min(lost, detail_lost(figures[i], tracks[i]));

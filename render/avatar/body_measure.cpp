@@ -17,13 +17,16 @@ using motion::Bone;
 using motion::index_of;
 using motion::Side;
 
-constexpr std::size_t kLeastPoints = 8;  // that a measure needs
-// A few vertices may stand out (buckles, pockets); the skin is where most of the outer ones are.
-constexpr double kOuter = 0.9;
+// Fewer points than this measure nothing.
+constexpr std::size_t kLeastPoints = 8;
+// The skin lies where this share of the points lies farther in. The rest may stand out from it, as
+// buckles and pockets do.
+constexpr double kSkinShare = 0.9;
 
 glm::vec3 mirrored(glm::vec3 place) noexcept { return {-place.x, place.y, place.z}; }
 
-/// Kept within what a body may be; figures with short legs and a round trunk reach 5 times.
+/// The value, kept between half and 8 times the usual one, and the usual one where it is not
+/// finite. (Bodies with short legs and a round trunk reach 5 times.)
 float sane(float value, float usual) noexcept {
     return std::isfinite(value) ? std::clamp(value, 0.5F * usual, 8.0F * usual) : usual;
 }
@@ -138,10 +141,10 @@ void Measure::set_feet(motion::Skeleton& skeleton) const {
         skeleton.heel.z = std::min(static_cast<float>(*back), -0.01F * size_);
         skeleton.toe_tip.z = std::max(static_cast<float>(*front), 0.03F * size_);
         // The edges by most of the sole: its ends are rounded.
-        const double width = percentile(aside, kOuter) - percentile(aside, 1.0 - kOuter);
+        const double width = percentile(aside, kSkinShare) - percentile(aside, 1.0 - kSkinShare);
         skeleton.sole_half = std::min(static_cast<float>(0.5 * width), 0.08F * size_);
-        skeleton.toe_tip.x = skeleton.heel.x =
-            static_cast<float>(0.5 * (percentile(aside, kOuter) + percentile(aside, 1.0 - kOuter)));
+        skeleton.toe_tip.x = skeleton.heel.x = static_cast<float>(
+            0.5 * (percentile(aside, kSkinShare) + percentile(aside, 1.0 - kSkinShare)));
     }
     const float least_toes = 0.012F * size_;
     glm::vec3& toes = skeleton.offsets[index_of(Bone::left_toes)];
@@ -180,9 +183,9 @@ void Measure::set_trunk(motion::Girth& girth) const {
     std::vector<double> backs;
     for (std::size_t i = 0; i < kSlices; ++i) {
         if (aside[i].size() >= kLeastPoints) {
-            widths.push_back(percentile(aside[i], kOuter));
-            fronts.push_back(percentile(ahead[i], kOuter));
-            backs.push_back(percentile(ahead[i], 1.0 - kOuter));
+            widths.push_back(percentile(aside[i], kSkinShare));
+            fronts.push_back(percentile(ahead[i], kSkinShare));
+            backs.push_back(percentile(ahead[i], 1.0 - kSkinShare));
         }
     }
     if (widths.empty()) {
@@ -209,13 +212,13 @@ void Measure::set_head(motion::Girth& girth) const {
         }
     }
     if (aside.size() >= kLeastPoints) {
-        girth.head = sane(static_cast<float>(percentile(aside, kOuter)), girth.head);
+        girth.head = sane(static_cast<float>(percentile(aside, kSkinShare)), girth.head);
         girth.head_height = sane(highest - girth.head, girth.head_height);
     }
 }
 
-/// How far most of the flesh of a bone lies from its line to the next joint, from `from` of the way
-/// on to 0.9 of it.
+/// The radius of a limb: how far three quarters of a bone's points at most lie from the line to the
+/// next joint. Of the way to that joint, the part from `from` to 0.9 is looked at.
 float Measure::limb_radius(Bone upper, Bone lower, float from, float usual) const {
     const glm::vec3 line = place(lower) - place(upper);
     const float length = std::max(glm::length(line), 1e-3F);
@@ -238,7 +241,8 @@ float Measure::hand_radius(float usual) const {
     if (heights.size() < kLeastPoints) {
         return usual;
     }
-    const double thickness = percentile(heights, kOuter) - percentile(heights, 1.0 - kOuter);
+    const double thickness =
+        percentile(heights, kSkinShare) - percentile(heights, 1.0 - kSkinShare);
     return sane(static_cast<float>(0.5 * thickness), usual);
 }
 

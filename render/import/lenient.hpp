@@ -16,33 +16,33 @@
 
 namespace raks::render {
 
-/// Least, greatest and what a missing or unreadable number is taken as.
+/// The range that a number is kept in, and what it is where the file has none, or none to be read.
 struct NumberLimits {
     float lowest;
     float highest;
     float otherwise;
 };
 
-/// A number, clamped to its limits; what is not one is `limits.otherwise`. Both with a warning.
+/// A number, clamped to `limits`; `limits.otherwise` where it is no number. Warns of both.
 [[nodiscard]] float lenient_number(const JsonField& field, NumberLimits limits, Model& model);
 
-/// Three numbers, each clamped to limits; missing or unreadable: `otherwise`.
+/// Three numbers, each clamped to `limits`; `otherwise` where they are missing or not to be read.
 [[nodiscard]] glm::vec3 lenient_vector(const JsonField& field,
                                        NumberLimits limits,
                                        const glm::vec3& otherwise,
                                        Model& model);
 
-/// The same of an object {x, y, z}, each with `limits.otherwise`: VRM 0.x.
+/// The same of an object {x, y, z}, as VRM 0.x writes it; a missing one is `limits.otherwise`.
 [[nodiscard]] glm::vec3 lenient_xyz(const JsonField& field, NumberLimits limits, Model& model);
 
-/// True or false; all else is `otherwise`, with a warning.
+/// True or false. What is neither is `otherwise`, with a warning; so is nothing, without one.
 [[nodiscard]] bool lenient_truth(const JsonField& field, bool otherwise, Model& model);
 
 /// A text fit for one line, at most 400 bytes; empty where there is none. Warned of: what is no
 /// text, and what was cut or replaced.
 [[nodiscard]] std::string lenient_text(const JsonField& field, Model& model);
 
-/// Place of the text in `words`; 0, the harmless one, where it is missing or (warned of) another.
+/// Index of the text in `words`; 0, the harmless one, where it is missing or, warned of, another.
 [[nodiscard]] std::size_t lenient_choice(const JsonField& field,
                                          std::initializer_list<std::string_view> words,
                                          Model& model);

@@ -18,31 +18,43 @@ namespace {
 
 using motion::Bone;
 
-constexpr double kLeastHeight = 0.8;     // metres
-constexpr double kMostHeight = 2.5;      // metres
-constexpr double kKnownHeight = 0.015;   // deviation of the logarithm of a height that was told
-constexpr double kUnknownHeight = 0.15;  // and of one that was not
-constexpr double kUsualInSize = 0.3;     // weight: what is usual in each frame is not so on average
-constexpr double kUsualWhenSmooth = 0.05;  // weight: frames around say more of what is not measured
-// A body that is so much larger, or smaller by as much, than the dancer was said to be: the world's
-// scale is off. Markers that sit elsewhere do less.
-constexpr double kWrongScale = 1.2;
-constexpr std::size_t kSizeFrames = 80;  // from which the body's size is fitted
-// A model never is the body: its error, metres, and how much less a frame says because the next
-// ones repeat its error. Without them lengths that a dance hardly shows stray far from what is
+// A dancer is so tall, metres.
+constexpr double kLeastHeight = 0.8;
+constexpr double kMostHeight = 2.5;
+// How far the true height may lie from the told one, and from the mannequin's where none was told:
+// standard deviations of the logarithm of their ratio.
+constexpr double kToldHeightDeviation = 0.015;
+constexpr double kUntoldHeightDeviation = 0.15;
+// Weights of the usual posture in a frame, against 1 when a single frame is fitted. When the size
+// is fitted to many frames, what is usual in each of them is not the average of all. When the
+// motion is smoothed, the frames around tell more of a joint that is not measured than what is
 // usual.
-constexpr double kModelDeviation = 0.01;
-constexpr double kSizeDoubt = 1.5;
-// Differences at which a marker counts half: before the body's size is known, and after; metres.
-constexpr double kUnfittedOutlier = 0.15;
-constexpr double kFittedOutlier = 0.04;
-constexpr double kLeastDeviation = 0.002;  // metres: no marker is known better
-constexpr double kFleshDeviation = 0.003;  // metres: markers move on the body
-// Weights of the places and of the motion's accelerations in balance: at 60 raw places a second the
-// solved dance has the jerk of the true one.
-constexpr double kPlaceDoubt = 3.0;
-// Tracks that were smoothed before are smoothed no more than by this share again.
-constexpr double kLeastSmoothness = 0.2;
+constexpr double kUsualPostureWeightInSize = 0.3;
+constexpr double kUsualPostureWeightInSmoothing = 0.05;
+// Where the body comes out larger than the dancer was said to be by this factor, or smaller by it,
+// the world's scale is wrong. Markers that sit elsewhere on the body make less of a difference.
+constexpr double kWrongScaleFactor = 1.2;
+// The size of the body is fitted to so many frames.
+constexpr std::size_t kSizeFrames = 80;
+// A model is never quite the body. So every marker may lie so much farther off, in metres, and its
+// deviation grows by this factor, because the next frames repeat the same error. Without both,
+// lengths of which a dance hardly shows anything stray far from what is usual.
+constexpr double kModelErrorMetres = 0.01;
+constexpr double kRepeatedErrorFactor = 1.5;
+// A marker that lies this far off counts half, metres: before the size of the body is known, and
+// after.
+constexpr double kOutlierMetresBeforeSize = 0.15;
+constexpr double kOutlierMetresAfterSize = 0.04;
+// No marker's place is known better than this, metres.
+constexpr double kLeastMarkerDeviation = 0.002;
+// Markers move on the skin by so much, metres.
+constexpr double kSkinMotionDeviation = 0.003;
+// The variance of every place is multiplied by this, which weighs the places against the
+// accelerations of the motion: then the dance that is solved from 60 raw places a second has the
+// jerk of the true one.
+constexpr double kPlaceVarianceFactor = 3.0;
+// Tracks that were smoothed before are smoothed again by at least this share of the smoothness.
+constexpr double kLeastSmoothnessShare = 0.2;
 
 bool is_known(const MarkerPlace& place) {
     return std::isfinite(place.place.x) && std::isfinite(place.place.y) &&
@@ -50,13 +62,14 @@ bool is_known(const MarkerPlace& place) {
 }
 
 double deviation_of(const MarkerPlace& place) {
-    const double deviation = std::max(kLeastDeviation, place.deviation);
-    return std::sqrt(kPlaceDoubt * (deviation * deviation + kFleshDeviation * kFleshDeviation));
+    const double deviation = std::max(kLeastMarkerDeviation, place.deviation);
+    return std::sqrt(kPlaceVarianceFactor *
+                     (deviation * deviation + kSkinMotionDeviation * kSkinMotionDeviation));
 }
 
-/// Trembling of the tracks from frame to frame / that of independent errors of their deviations: 1
-/// for raw places, much less where they are smoothed. By the third difference, in which the dance
-/// itself hardly shows.
+/// How much the tracks tremble from frame to frame, divided by how much they would if every place
+/// had an independent error of its deviation: 1 for raw places, much less where they were smoothed.
+/// It is measured on the third difference, in which the dance itself hardly shows.
 double roughness(const Tracks& tracks) {
     std::vector<double> ratios;
     const auto squared = [](const glm::dvec3& v) { return glm::dot(v, v); };
@@ -65,7 +78,8 @@ double roughness(const Tracks& tracks) {
             const glm::dvec3 third =
                 tracks.at(frame, marker).place - 3.0 * tracks.at(frame - 1, marker).place +
                 3.0 * tracks.at(frame - 2, marker).place - tracks.at(frame - 3, marker).place;
-            const double deviation = std::max(kLeastDeviation, tracks.at(frame, marker).deviation);
+            const double deviation =
+                std::max(kLeastMarkerDeviation, tracks.at(frame, marker).deviation);
             // Of independent errors: (1 + 9 + 9 + 1) variances along each of three axes.
             const double ratio = squared(third) / (60.0 * deviation * deviation);
             if (std::isfinite(ratio)) {
@@ -182,7 +196,7 @@ Expected<void> DanceSolver::begin_size() {
     const double guess = guess_size(model_, markers_, sights_);
     if (options_.height) {
         const double factor = guess * kMannequinHeight / *options_.height;
-        if (!(factor < kWrongScale && factor > 1.0 / kWrongScale)) {
+        if (!(factor < kWrongScaleFactor && factor > 1.0 / kWrongScaleFactor)) {
             return fail(fmt::format(
                 "the markers are those of a dancer of {:.2f} m, not {:.2f}: measure the board's "
                 "square, in metres; {:.3g} times what capture.toml says would fit; then calibrate "
@@ -193,7 +207,7 @@ Expected<void> DanceSolver::begin_size() {
         }
     }
     prior_.marker_deviation = options_.marker_deviation;
-    prior_.whole_deviation = options_.height ? kKnownHeight : kUnknownHeight;
+    prior_.whole_deviation = options_.height ? kToldHeightDeviation : kUntoldHeightDeviation;
     prior_.whole = options_.height ? *options_.height / kMannequinHeight : 1.0;
     size_.whole = options_.height ? prior_.whole : guess;
     size_.marker_shifts.resize(markers_.markers.size());
@@ -207,21 +221,21 @@ void DanceSolver::fit_size_to(std::size_t most_frames) {
     for (const std::size_t frame : size_frames(most_frames)) {
         sights.push_back(sights_[frame]);
         for (SeenMarker& seen : sights.back().markers) {
-            seen.deviation = kSizeDoubt * std::hypot(seen.deviation, kModelDeviation);
+            seen.deviation = kRepeatedErrorFactor * std::hypot(seen.deviation, kModelErrorMetres);
         }
         states.push_back(states_[frame]);
     }
     FrameWeights weights = weights_;
-    weights.usual = kUsualInSize;
+    weights.usual = kUsualPostureWeightInSize;
     size_ = fit_size(model_, markers_, prior_, weights, sights, size_, states);
     shape_ = shape_of(size_, markers_);
 }
 
 void DanceSolver::smooth_states(int rounds) {
     FrameContext smoothing = context();
-    smoothing.weights.usual = kUsualWhenSmooth;
+    smoothing.weights.usual = kUsualPostureWeightInSmoothing;
     const double smoothness =
-        options_.smoothness * std::clamp(roughness(tracks_), kLeastSmoothness, 1.0);
+        options_.smoothness * std::clamp(roughness(tracks_), kLeastSmoothnessShare, 1.0);
     smooth(smoothing, sights_, {rate_, rounds, smoothness}, states_);
 }
 
@@ -232,10 +246,10 @@ Expected<SolvedDance> DanceSolver::solve() {
     if (auto begun = begin_size(); !begun) {
         return fail(std::move(begun.error()));
     }
-    weights_.outlier = kUnfittedOutlier;
+    weights_.outlier = kOutlierMetresBeforeSize;
     states_ = fit_frames(context(), sights_);
     fit_size_to(kSizeFrames);
-    weights_.outlier = kFittedOutlier;
+    weights_.outlier = kOutlierMetresAfterSize;
     fit_size_to(kSizeFrames);
     const double height = kMannequinHeight * size_.whole;
     if (!(height >= kLeastHeight && height <= kMostHeight)) {

@@ -9,21 +9,28 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kSmoothBeats = 0.15;        // deviation of the Gaussian over the probability
-constexpr double kLeastGapBeats = 0.25;      // shorter gaps between contacts are closed
-constexpr double kLeastContactBeats = 0.34;  // shorter contacts are dropped
-constexpr double kContactChance = 0.45;      // threshold of the smoothed probability
-// Beats; a landing this far from a contact's start is not its own
-constexpr double kLandingReach = 0.75;
-constexpr int kLandingRepeats = 3;  // repeats that must show a landing
-constexpr double kStepBeats = 0.4;  // length of the contact given to a landing without one
-// Of a passing foot, beats: its shortest stand (a shorter one is not detected as a landing), and
-// the flight that must be left for its next step (0.36 works as well; with 0.42 the foot hardly
-// stands).
+// All times in beats. The probability of contact is smoothed by a Gaussian of this deviation.
+constexpr double kSmoothingBeats = 0.15;
+// From this smoothed probability on a foot is in contact.
+constexpr double kContactProbability = 0.45;
+// Shorter gaps between two contacts are closed, then shorter contacts are dropped.
+constexpr double kLeastGapBeats = 0.25;
+constexpr double kLeastContactBeats = 0.34;
+// A landing belongs to the contact whose start is nearest, if that is not farther than this.
+constexpr double kLandingReachBeats = 0.75;
+// A landing counts when so many repeats of the figure show it.
+constexpr int kLandingRepeats = 3;
+// A landing without a contact gets one of this length.
+constexpr double kStepBeats = 0.4;
+// A foot that passes through a step stands at least so long (what is shorter is not found as a
+// landing), and flies at least so long before its next step (0.36 works as well; with 0.42 the foot
+// hardly stands).
 constexpr double kLeastStandBeats = 0.08;
 constexpr double kLeastFlightBeats = 0.38;
-// Beats from a landing, where the foot's speed falls under 0.30 m/s, until the foot is at rest.
-constexpr double kRestAfterLanding = 0.012;
+// A foot is at rest so long after its landing, which is where its speed falls under 0.30 m/s.
+constexpr double kRestBeatsAfterLanding = 0.012;
+// A contact is moved to its landing as long as it stays longer than this.
+constexpr double kLeastMovedBeats = 0.2;
 
 /// Phases (beats) at which a foot is at rest after each of its landings. Landings of fewer than
 /// kLandingRepeats repeats are left out.
@@ -32,7 +39,7 @@ std::vector<double> standing_beats(const std::vector<LandingOffset>& landings) {
     for (std::size_t count = 0; count < landings.size(); ++count) {
         if (landings[count].repeats >= kLandingRepeats) {
             beats.push_back(static_cast<double>(count) + landings[count].median.count() +
-                            kRestAfterLanding);
+                            kRestBeatsAfterLanding);
         }
     }
     return beats;
@@ -44,9 +51,9 @@ double beats_between(double from, double to, double beats) {
     return apart - beats * std::round(apart / beats);
 }
 
-/// Shortest contact that is worth locking, in samples.
+/// A contact that is moved to its landing must stay longer than this, in samples.
 std::ptrdiff_t shift_floor(double samples_per_beat) {
-    return static_cast<std::ptrdiff_t>(0.2 * samples_per_beat);
+    return static_cast<std::ptrdiff_t>(kLeastMovedBeats * samples_per_beat);
 }
 
 /// Runs of `value` in a closed row; one run may go over the end. A row of nothing else is one run.
@@ -131,11 +138,11 @@ std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins
                                            int beats,
                                            std::size_t samples) {
     const double bins_per_beat = static_cast<double>(kContactBins) / beats;
-    const std::vector<double> smooth =
-        smoothed(std::vector<double>(chance.begin(), chance.end()), kSmoothBeats * bins_per_beat);
+    const std::vector<double> smooth = smoothed(std::vector<double>(chance.begin(), chance.end()),
+                                                kSmoothingBeats * bins_per_beat);
     std::vector<bool> row(samples);
     for (std::size_t i = 0; i < samples; ++i) {
-        row[i] = smooth[i * kContactBins / samples] > kContactChance;
+        row[i] = smooth[i * kContactBins / samples] > kContactProbability;
     }
     const double samples_per_beat = static_cast<double>(samples) / beats;
     // Gaps first: two halves of one contact must not be dropped each for being short.
@@ -157,7 +164,7 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
                                              double samples_per_beat,
                                              std::size_t samples) {
     for (ContactWindow& window : windows) {
-        double best = kLandingReach;
+        double best = kLandingReachBeats;
         for (const double landing : standing_beats(landings)) {
             const double away = beats_between(static_cast<double>(window.first) / samples_per_beat,
                                               landing,
@@ -168,7 +175,7 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
         // stays as it is.
         const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
         const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
-        if (std::abs(best) < kLandingReach && length > shift_floor(samples_per_beat)) {
+        if (std::abs(best) < kLandingReachBeats && length > shift_floor(samples_per_beat)) {
             window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
             window.length = static_cast<std::size_t>(length);
             window.is_step = true;

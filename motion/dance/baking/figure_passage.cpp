@@ -67,7 +67,7 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
     std::vector<PlannedContact> planned;
     // A foot that never leaves the floor has one contact over all beats.
-    if (!windows.empty() && windows.front().length == samples) {  // it never leaves the floor
+    if (!windows.empty() && windows.front().length == samples) {
         PlannedContact& contact = planned.emplace_back();
         contact.window = {0, samples + 2 * static_cast<std::size_t>(around)};
         contact.place = start_place;
@@ -80,8 +80,8 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
             const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(windows[w].length);
             const std::ptrdiff_t from = std::max(first, -around);
             const std::ptrdiff_t to = std::min(end, whole + around);
-            // What the ends cut to under a quarter of a beat is dropped: too short to plant a foot
-            // in.
+            // The ends of the passage cut some contacts. What is left of one is dropped where it is
+            // shorter than a quarter of a beat, in which no foot can be planted.
             if (to - from < std::min<std::ptrdiff_t>(end - first, samples_per_beat / 4)) {
                 continue;
             }
@@ -91,7 +91,8 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
                               windows[w].is_step,
                               windows[w].is_passing};
             const std::ptrdiff_t centre = (first + end) / 2;
-            // The common place holds at the start, and, moved along the figure's way, at its end.
+            // All figures begin with this foot at the same place, and end with it there, moved
+            // along the way of the figure.
             if (w == at_start && start_place) {
                 if (std::abs(centre) < whole / 2) {
                     contact.place = *start_place;

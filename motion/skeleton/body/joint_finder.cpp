@@ -90,7 +90,7 @@ class Finder {
         }
     }
 
-    /// A bone cannot lie above what it is a part of.
+    /// Drops bones whose joint does not hang below the joint of the bone that carries them.
     void drop_upside_down() {
         for (const Bone bone : all_bones()) {
             const std::optional<Bone> parent = mapped_parent(found_.mapping, bone);
@@ -105,7 +105,8 @@ class Finder {
         }
     }
 
-    /// What names leave open is taken from the shape; where both speak they are compared.
+    /// Takes the bones that have no name from the shape. Bones that have both become surer where
+    /// both agree.
     void take_shape() {
         if (shapes_.empty() || shapes_.front().fit < kLeastFit) {
             take_legs();
@@ -243,7 +244,8 @@ class Finder {
         found_.confidence[index_of(bone)] = 0.0;
     }
 
-    /// Names that put arms where the legs are, or legs where the arms are, are not believed.
+    /// Drops all names where more of them contradict the shape of the body than agree with it:
+    /// where names of arms stand on the legs, and names of legs on the arms.
     void drop_lies(const BonesByShape& shape) {
         int fitting = 0;
         int lying = 0;
