@@ -9,7 +9,7 @@
 #include "base/expected.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/gl/mesh.hpp"
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/stick_figure.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "base/expected.hpp"
 #include "render/gl/mesh.hpp"
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 #include "render/renderer.hpp"
 
 namespace raks::render {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/avatar/expressions.hpp"
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 #include "render/surface_upload.hpp"
 
 #include <glm/mat4x4.hpp>

@@ -12,7 +12,7 @@
 #include "base/expected.hpp"
 #include "render/avatar/surface.hpp"
 #include "render/gl/mesh.hpp"
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 #include "render/gl/texture.hpp"
 #include "render/surface_material.hpp"
 

@@ -9,7 +9,7 @@
 #include "audio/beat/beat_limits.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
-#include "audio/song/song_form.hpp"
+#include "audio/song/form_states.hpp"
 
 namespace raks::audio {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "motion/choreography/body_angles.hpp"
-#include "motion/choreography/curves.hpp"
 #include "motion/choreography/foot_plan.hpp"
 #include "motion/choreography/limb_frames.hpp"
+#include "motion/choreography/splines.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 
 namespace raks::motion {
 namespace {

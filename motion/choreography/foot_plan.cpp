@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 #include "motion/choreography/step_layout.hpp"
 
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 #include "motion/skeleton/pose.hpp"
 
 #include <glm/geometric.hpp>

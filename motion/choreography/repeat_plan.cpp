@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 #include "motion/figures/size_by_tempo.hpp"
 
 namespace raks::motion {

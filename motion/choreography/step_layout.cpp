@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/choreography/curves.hpp"
 #include "motion/choreography/repeat_plan.hpp"
+#include "motion/choreography/splines.hpp"
 
 namespace raks::motion {
 namespace {

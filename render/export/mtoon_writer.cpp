@@ -1,6 +1,6 @@
 #include <array>
 
-#include "render/export/vrm_parts.hpp"
+#include "render/export/vrm_extensions.hpp"
 
 namespace raks::render {
 namespace {

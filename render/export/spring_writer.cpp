@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "render/export/vrm_parts.hpp"
+#include "render/export/vrm_extensions.hpp"
 
 namespace raks::render {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "render/export/vrm_parts.hpp"
+#include "render/export/vrm_extensions.hpp"
 
 #include <fmt/format.h>
 

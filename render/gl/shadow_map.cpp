@@ -1,6 +1,6 @@
 #include "render/gl/shadow_map.hpp"
 
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 
 #include <string>
 

@@ -12,8 +12,8 @@
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_field.hpp"
 #include "render/mannequin/colour_masks.hpp"
+#include "render/mannequin/mirrored_mesh.hpp"
 #include "render/mannequin/skin_weights.hpp"
-#include "render/mannequin/surface.hpp"
 #include "render/mannequin/worn_model.hpp"
 
 #include <glm/geometric.hpp>

@@ -10,7 +10,7 @@
 #include "render/avatar/avatar.hpp"
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_field.hpp"
-#include "render/mannequin/surface.hpp"
+#include "render/mannequin/mirrored_mesh.hpp"
 
 namespace raks::render {
 

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "motion/choreography/curves.hpp"
 #include "motion/choreography/figure_check.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/choreography/repeat_plan.hpp"
+#include "motion/choreography/splines.hpp"
 
 namespace raks::motion {
 namespace {

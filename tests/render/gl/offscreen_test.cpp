@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 
 namespace raks::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/gl/program.hpp"
+#include "render/gl/shader_program.hpp"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "motion/choreography/curves.hpp"
+#include "motion/choreography/splines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "audio/song/song_form.hpp"
+#include "audio/song/form_states.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "render/mannequin/surface.hpp"
+#include "render/mannequin/mirrored_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
