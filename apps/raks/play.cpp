@@ -13,6 +13,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/audio_file.hpp"
+#include "audio/io/audio_tags.hpp"
 #include "audio/io/devices.hpp"
 #include "audio/io/pipe_reader.hpp"
 #include "engine/offline/music_source.hpp"
@@ -311,6 +312,8 @@ Expected<StageEnd> Player::play(const Path& file,
     config.is_held_back = start.has_value();
     // Asked before the player is handed over.
     const std::optional<double> duration = player->first_info().claimed_seconds;
+    const std::string name = file == "-" ? "standard input" : file.filename().string();
+    const std::string title = audio::title_line(player->first_info().tags, name);
     auto graph = engine::LiveGraph::play(std::move(player), output_, config);
     if (!graph) {
         return fail(graph.error());
@@ -319,9 +322,8 @@ Expected<StageEnd> Player::play(const Path& file,
     if (section.duration) {
         (*graph)->playback()->set_end(section.start + *section.duration);
     }
-    const std::string name = file == "-" ? "standard input" : file.filename().string();
     say("playing " + (file == "-" ? name : file.string()));
-    StageSource source{name, duration, section.start, behind};
+    StageSource source{title, duration, section.start, behind};
     if (start) {
         source.each_picture = [&start, &graph] { start->look(**graph); };
     }

@@ -12,6 +12,7 @@
 #include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/io/audio_tags.hpp"
 #include "base/pending_file.hpp"
 #include "engine/offline/clip_driver.hpp"
 #include "engine/offline/music_source.hpp"
@@ -38,6 +39,7 @@ class Film final : public engine::OfflineDriver::Sink {
          render::VideoWriter& writer,
          const RenderArguments& arguments,
          render::FrameRate rate,
+         const audio::AudioTags& tags,
          std::optional<double> total)
         : show_(show),
           target_(target),
@@ -45,7 +47,7 @@ class Film final : public engine::OfflineDriver::Sink {
           rate_(rate),
           start_seconds_(arguments.section.start),
           lead_(nanos_from_seconds(arguments.settings.pose_lead_ms * 1e-3)),
-          source_(arguments.input.filename().string()),
+          source_(audio::title_line(tags, arguments.input.filename().string())),
           total_(total),
           is_draft_(arguments.settings.quality == "fast"),
           rgba_(static_cast<std::size_t>(target.width()) *
@@ -254,7 +256,13 @@ ExitCode film_music(const RenderArguments& arguments,
     if (!studio) {
         return fail(studio.error());
     }
-    Film film(studio->show, studio->target, **writer, arguments, options.rate, source.seconds());
+    Film film(studio->show,
+              studio->target,
+              **writer,
+              arguments,
+              options.rate,
+              source.tags(),
+              source.seconds());
     film.set_face(std::move(face));
     if (auto ran = run(source, driver, **writer, film); !ran) {
         return fail(ran.error());
@@ -282,7 +290,7 @@ ExitCode film_clip(const RenderArguments& arguments,
     if (!studio) {
         return fail(studio.error());
     }
-    Film film(studio->show, studio->target, **writer, arguments, options.rate, seconds);
+    Film film(studio->show, studio->target, **writer, arguments, options.rate, {}, seconds);
     film.set_face(std::move(face));
     ProgressLine progress("rendering");
     constexpr double kPart = 0.5;  // seconds between two looks at signals

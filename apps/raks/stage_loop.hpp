@@ -27,7 +27,7 @@ struct StageSource {
     /// somebody goes back or quits; without a window as `end`.
     enum class Behind { next_file, end, stay };
 
-    std::string name;                               ///< file or device
+    std::string name;                               ///< title, file or device
     std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
     double start = 0.0;                             ///< where in the file it began, in seconds
     Behind behind = Behind::end;                    ///< the file's end

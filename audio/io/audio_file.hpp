@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/io/audio_tags.hpp"
 #include "audio/io/hearing.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
@@ -27,6 +28,7 @@ struct AudioFileInfo {
     std::optional<std::int64_t> claimed_frames{};
     std::string format{};  ///< for display: "WAV", "MP3", "aac in mov,mp4"
     Hearing hearing{};     ///< how the analyzer should hear it: hear_mono(), hear_stereo()
+    AudioTags tags{};      ///< title, artist, album, genre, tempo, as the file says them
 };
 
 inline constexpr int kMaxFileChannels = 64;  ///< of a file that is opened

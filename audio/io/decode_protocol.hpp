@@ -27,7 +27,7 @@ inline constexpr const char* kForkServerName = "raks-decoders";
 inline constexpr const char* kDecoderName = "raks-decode";
 
 /// Of every message; other builds have another one.
-inline constexpr std::uint32_t kDecodeMagic = 0x52440003;
+inline constexpr std::uint32_t kDecodeMagic = 0x52440004;
 inline constexpr std::size_t kDecodeTextBytes = 8192;  ///< of the text in a message
 
 /// raks asks for the first six, raks-decode answers with the others.
@@ -39,7 +39,7 @@ enum class DecodeKind : std::uint32_t {
     seek,       ///< value: frame; from here on messages carry its generation, all slots are free
     open_film,  ///< text: its name; with the descriptor
     started,    ///< value: the decoder's process, or minus the error's number
-    opened,     ///< head is filled in, of a film picture, too; text: format, then warning
+    opened,     ///< head is filled in, of a film picture, too; text: format, tags, then warning
     failed,     ///< text: why it cannot be opened or sought
     samples,    ///< value: frames in the slot, 0 at the end; text: the warning so far
     sought,     ///< text: the warning so far
@@ -66,6 +66,7 @@ struct DecodedHead {
     float offset = 0.0F;
     float gain = 1.0F;
     std::uint32_t format_bytes = 0;  ///< of the text
+    std::uint32_t tag_bytes = 0;     ///< of the text behind these: text_of_tags()
     std::uint32_t is_confined = 0;   ///< 1: by seccomp
 };
 

@@ -64,8 +64,9 @@ bool DecoderClient::take_head() {
     const std::string_view words = message_.words();
     if (message_.kind != DecodeKind::opened || head.channels < 1 ||
         head.channels > kMaxFileChannels || !SampleRate(head.rate).is_supported() ||
-        head.format_bytes > words.size() || !std::isfinite(head.offset) ||
-        !(head.gain > 0.0F && std::isfinite(head.gain)) || !std::isfinite(head.claimed_seconds)) {
+        head.format_bytes > words.size() || head.tag_bytes > words.size() - head.format_bytes ||
+        !std::isfinite(head.offset) || !(head.gain > 0.0F && std::isfinite(head.gain)) ||
+        !std::isfinite(head.claimed_seconds)) {
         return false;
     }
     info_.rate = SampleRate(head.rate);
@@ -78,7 +79,8 @@ bool DecoderClient::take_head() {
     }
     info_.hearing = {head.is_from_side != 0, head.offset, head.gain};
     info_.format = words.substr(0, head.format_bytes);
-    warning_ = words.substr(head.format_bytes);
+    info_.tags = tags_of_text(words.substr(head.format_bytes, head.tag_bytes));
+    warning_ = words.substr(head.format_bytes + head.tag_bytes);
     if (head.is_confined == 0) {
         is_any_unconfined.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
     }

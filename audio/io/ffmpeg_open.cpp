@@ -18,6 +18,7 @@ extern "C" {
 
 #include "audio/io/audio_file_backends.hpp"
 #include "audio/io/ffmpeg_reader.hpp"
+#include "audio/io/ffmpeg_tags.hpp"
 #include "audio/io/ffmpeg_window.hpp"
 
 namespace raks::audio {
@@ -233,6 +234,7 @@ Expected<void> FfmpegReader::describe() {
     info_.format = codec == "mp3float" || codec == "mp3"
                        ? "MP3"
                        : fmt::format("{} in {}", codec, container_->iformat->name);
+    info_.tags = tags_of(*container_, *stream_);
     claim_length();
     tell_notes();
     return {};

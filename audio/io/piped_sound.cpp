@@ -14,7 +14,7 @@ extern "C" {
 #include <utility>
 
 #include "audio/io/audio_file_backends.hpp"
-#include "audio/io/ffmpeg_handles.hpp"
+#include "audio/io/ffmpeg_tags.hpp"
 #include "audio/io/tag_packets.hpp"
 
 #include <fmt/format.h>
@@ -314,6 +314,7 @@ Expected<std::unique_ptr<AudioFileReader>> PipedSound::open(OpenPipe pipe) {
         return fail(checked.error());
     }
     reader->info_.format = fmt::format("{} from a pipe", parts.container->iformat->name);
+    reader->info_.tags = tags_of(*parts.container, *parts.container->streams[parts.stream]);
     parts.bytes->end_head();
     return reader;
 }

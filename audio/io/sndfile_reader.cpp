@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audio/io/audio_file_backends.hpp"
+#include "audio/io/ffmpeg_tags.hpp"
 
 namespace raks::audio {
 namespace {
@@ -71,6 +72,7 @@ class SndfileReader final : public AudioFileReader {
         info_.rate = SampleRate(head.samplerate);
         info_.channels = head.channels;
         info_.format = format_name(head.format);
+        info_.tags = read_tags(input_.window);
         if ((head.format & SF_FORMAT_SUBMASK) == SF_FORMAT_VORBIS) {
             preroll_ = static_cast<sf_count_t>(kVorbisPrerollSeconds * head.samplerate);
         }

@@ -69,6 +69,7 @@ bool DecodeServer::open() {
     }
     reader_ = std::move(*opened);
     const audio::AudioFileInfo& info = reader_->info();
+    const std::string tags = audio::text_of_tags(info.tags);
     answer_.head = {.rate = info.rate.hertz(),
                     .channels = info.channels,
                     .claimed_seconds = info.claimed_seconds.value_or(-1.0),
@@ -77,8 +78,9 @@ bool DecodeServer::open() {
                     .offset = info.hearing.offset,
                     .gain = info.hearing.gain,
                     .format_bytes = static_cast<std::uint32_t>(info.format.size()),
+                    .tag_bytes = static_cast<std::uint32_t>(tags.size()),
                     .is_confined = is_confined_ ? 1U : 0U};
-    return send(DecodeKind::opened, info.format + reader_->warning());
+    return send(DecodeKind::opened, info.format + tags + reader_->warning());
 }
 
 // One thing that raks asks for.

@@ -44,6 +44,8 @@ class MusicSource {
 
     /// Length of what next() has given so far.
     [[nodiscard]] Nanos given() const noexcept;
+    /// Title, artist and more, as the file says them.
+    [[nodiscard]] const audio::AudioTags& tags() const noexcept { return reader_->info().tags; }
     /// What is wrong with a file that still plays; empty when nothing is.
     [[nodiscard]] const std::string& warning() const noexcept { return reader_->warning(); }
     /// Length of what is to be given, as the file claims; empty when it does not say.
