@@ -42,6 +42,9 @@ inline constexpr float kBottomHeight = 76.0F;
            kMargin + kTopHeight <= 0.22F * canvas.height;
 }
 
+/// The sign that a click uses: two bars while it plays (a click pauses), a triangle while it stands
+/// (a click plays). `x`, `y`: its middle.
+void draw_play_sign(const Pen& pen, bool is_paused, float x, float y);
 /// Top left of a small picture: the tempo in one line.
 void draw_small_tempo(const Pen& pen, const OverlayState& state);
 /// Top left: tempo, what is known of it, the dots of the bar.

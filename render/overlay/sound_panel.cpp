@@ -43,14 +43,11 @@ void draw_meter(const Pen& pen, const OverlayState& state, float x, float y) {
     }
 }
 
-/// The sign of what goes on: two bars when paused, a triangle when a file plays, a dot for a live
-/// input, red while there is sound.
+/// A file has the sign that a click uses; a live input, which nobody can pause, a dot, red while
+/// there is sound.
 void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y) {
-    if (state.is_paused) {
-        pen.fill({x - 6.0F, y - 8.0F, 4.5F, 16.0F}, palette::kAmber, 1.0F);
-        pen.fill({x + 2.0F, y - 8.0F, 4.5F, 16.0F}, palette::kAmber, 1.0F);
-    } else if (state.position) {
-        pen.triangle({x - 5.0F, y - 8.0F}, {x - 5.0F, y + 8.0F}, {x + 8.0F, y}, palette::kText);
+    if (state.position) {
+        draw_play_sign(pen, state.is_paused, x, y);
     } else {
         pen.dot(x, y, 6.0F, state.is_silent ? palette::kDim : palette::kRed);
     }

@@ -28,16 +28,6 @@ float share_of(std::size_t frame, const OverlayTransport& transport) {
     return std::min(static_cast<float>(frame) / last, 1.0F);
 }
 
-// Two bars when it plays (a click pauses), a triangle when it stands.
-void draw_sign(const Pen& pen, bool is_paused, float x, float y) {
-    if (is_paused) {
-        pen.triangle({x - 6.0F, y - 9.0F}, {x - 6.0F, y + 9.0F}, {x + 9.0F, y}, palette::kText);
-    } else {
-        pen.fill({x - 6.0F, y - 8.0F, 4.5F, 16.0F}, palette::kText, 1.0F);
-        pen.fill({x + 2.0F, y - 8.0F, 4.5F, 16.0F}, palette::kText, 1.0F);
-    }
-}
-
 // The largest value of each column of two units: a worst frame is not lost in a long clip.
 void draw_curve(const Pen& pen, std::span<const float> curve, const Box& box) {
     constexpr float kColumn = 2.0F;
@@ -78,6 +68,15 @@ std::string words_of(const OverlayTransport& transport) {
 
 }  // namespace
 
+void draw_play_sign(const Pen& pen, bool is_paused, float x, float y) {
+    if (is_paused) {
+        pen.triangle({x - 6.0F, y - 9.0F}, {x - 6.0F, y + 9.0F}, {x + 9.0F, y}, palette::kText);
+    } else {
+        pen.fill({x - 6.0F, y - 8.0F, 4.5F, 16.0F}, palette::kText, 1.0F);
+        pen.fill({x + 2.0F, y - 8.0F, 4.5F, 16.0F}, palette::kText, 1.0F);
+    }
+}
+
 OverlayControls draw_transport(const Pen& pen,
                                const OverlayTransport& transport,
                                const Canvas& canvas) {
@@ -88,7 +87,7 @@ OverlayControls draw_transport(const Pen& pen,
                   canvas.width - 2.0F * kEdgeOfBar,
                   kPanelHeight};
     pen.panel(box);
-    draw_sign(pen, transport.is_paused, box.x + 0.5F * kSignWidth, box.y + 0.5F * box.height);
+    draw_play_sign(pen, transport.is_paused, box.x + 0.5F * kSignWidth, box.y + 0.5F * box.height);
     const float left = box.x + kSignWidth;
     const float right = box.right() - kHelpWidth;
     const Box bar{left, box.y + 28.0F, right - left, 5.0F};

@@ -310,6 +310,24 @@ TEST_F(OverlayTest, help_lists_keys_in_the_middle) {
     }
 }
 
+TEST_F(OverlayTest, the_sign_shows_what_a_click_does) {
+    OverlayState state = locked_state();
+    const auto sign_of = [&](bool is_paused) {
+        state.is_paused = is_paused;
+        return draw(state, OverlayView::shown, 1280, 720);
+    };
+    // Between the two bars of the pause the card lies open; the triangle covers that place.
+    constexpr double kMiddle = 48.0 / 1280.0;
+    constexpr double kHeightOfSign = 658.0 / 720.0;
+    const auto brightness = [&](const Pixels& pixels) {
+        const auto x = static_cast<std::size_t>(kMiddle * pixels.width);
+        const auto y = static_cast<std::size_t>(kHeightOfSign * pixels.height);
+        return int{pixels.rgba[(y * static_cast<std::size_t>(pixels.width) + x) * 4]};
+    };
+    EXPECT_LT(brightness(sign_of(false)), 100) << "bars while it plays";
+    EXPECT_GT(brightness(sign_of(true)), 200) << "a triangle while it stands";
+}
+
 TEST_F(OverlayTest, every_part_of_a_line_of_help_is_seen) {
     const auto picture_of = [&](const HelpRow& row) {
         const std::vector<HelpRow> rows = {row};
