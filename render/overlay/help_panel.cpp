@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -18,9 +20,11 @@ constexpr float kTitleHeight = 22.0F;
 constexpr float kGroupGap = 14.0F;
 constexpr float kEdge = 26.0F;
 constexpr float kHeadHeight = 38.0F;
-constexpr float kLeastMargin = 6.0F;  // above and below the panel
-constexpr float kWidth = 2.0F * kColumnWidth + 2.0F * kEdge;
+constexpr float kLeastMargin = 6.0F;                         // above and below the panel
+constexpr float kNarrowWidth = kColumnWidth + 2.0F * kEdge;  // one column
+constexpr float kWideWidth = 2.0F * kColumnWidth + 2.0F * kEdge;
 constexpr float kKeysWidth = 172.0F;
+constexpr float kLeftOutHeight = 22.0F;  // of the line that says what is left out
 
 /// A key as a small cap; returns its width.
 float draw_cap(const Pen& pen, std::string_view name, float x, float y, float height) {
@@ -79,14 +83,16 @@ float height_of(std::span<const HelpRow> rows, float pitch) {
     return height_of_titles(rows) + static_cast<float>(rows.size()) * pitch;
 }
 
-/// Two columns of nearly the same height, and how far apart their lines are.
+/// One or two columns, how far apart their lines are, and how many lines had no room.
 struct Layout {
     std::span<const HelpRow> left;
     std::span<const HelpRow> right;
     float pitch = kMostPitch;
+    std::size_t left_out = 0;
 
     [[nodiscard]] float height() const {
-        return std::max(height_of(left, pitch), height_of(right, pitch));
+        return std::max(height_of(left, pitch), height_of(right, pitch)) +
+               (left_out > 0 ? kLeftOutHeight : 0.0F);
     }
 };
 
@@ -100,9 +106,18 @@ float pitch_of(const Layout& layout, float room) {
     return std::max(pitch, kLeastPitch);
 }
 
-/// Breaks between the two groups where the taller column is lowest; then sets the pitch.
-Layout layout_of(std::span<const HelpRow> rows, float room) {
-    // A single group is never divided: it stays in one column.
+/// The first lines of a column that have room when they are as close as they may be.
+std::span<const HelpRow> fitting(std::span<const HelpRow> column, float room) {
+    std::size_t count = column.size();
+    while (count > 0 && height_of(column.first(count), kLeastPitch) > room) {
+        --count;
+    }
+    return column.first(count);
+}
+
+/// Breaks between the two groups where the taller column is lowest. A single group is never
+/// divided: it stays in one column.
+Layout two_columns(std::span<const HelpRow> rows) {
     Layout best{rows, {}};
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const Layout layout{rows.first(i), rows.subspan(i)};
@@ -110,8 +125,20 @@ Layout layout_of(std::span<const HelpRow> rows, float room) {
             best = layout;
         }
     }
-    best.pitch = pitch_of(best, room);
     return best;
+}
+
+/// Sets the pitch, and leaves out what has no room even so.
+Layout layout_of(std::span<const HelpRow> rows, bool has_two_columns, float room) {
+    Layout layout = has_two_columns ? two_columns(rows) : Layout{rows, {}};
+    layout.pitch = pitch_of(layout, room);
+    if (std::max(height_of(layout.left, kLeastPitch), height_of(layout.right, kLeastPitch)) >
+        room) {
+        layout.left = fitting(layout.left, room - kLeftOutHeight);
+        layout.right = fitting(layout.right, room - kLeftOutHeight);
+        layout.left_out = rows.size() - layout.left.size() - layout.right.size();
+    }
+    return layout;
 }
 
 /// Titles and lines from (x, y) downward.
@@ -130,15 +157,17 @@ void draw_column(const Pen& pen, std::span<const HelpRow> rows, float pitch, flo
 }  // namespace
 
 bool has_room_beside_help(const Canvas& canvas) noexcept {
-    return canvas.width >= kWidth + 2.0F * (kMargin + kCardWidth + kMargin / 2.0F);
+    return canvas.width >= kWideWidth + 2.0F * (kMargin + kCardWidth + kMargin / 2.0F);
 }
 
 void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas) {
     const float frame = 2.0F * kEdge + kHeadHeight;
+    const bool is_wide = canvas.width >= kWideWidth;
     // What the panel's own edges and title leave of the picture is the lines' room.
-    const Layout layout = layout_of(rows, canvas.height - frame - 2.0F * kLeastMargin);
+    const Layout layout = layout_of(rows, is_wide, canvas.height - frame - 2.0F * kLeastMargin);
+    const float width = is_wide ? kWideWidth : kNarrowWidth;
     const float height = layout.height() + frame;
-    const Box box{(canvas.width - kWidth) / 2.0F, (canvas.height - height) / 2.0F, kWidth, height};
+    const Box box{(canvas.width - width) / 2.0F, (canvas.height - height) / 2.0F, width, height};
     pen.fill(box, {0x0C0E1A, 0.93F}, 12.0F);
     pen.outline(box, palette::kEdge, 12.0F);
     const float x = box.x + kEdge;
@@ -152,6 +181,13 @@ void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canv
              Align::right);
     draw_column(pen, layout.left, layout.pitch, x, y + kHeadHeight);
     draw_column(pen, layout.right, layout.pitch, x + kColumnWidth, y + kHeadHeight);
+    if (layout.left_out > 0) {
+        pen.text(pen.fonts().small,
+                 x,
+                 box.bottom() - kEdge - kLeftOutHeight + 8.0F,
+                 palette::kDim,
+                 fmt::format("{} more in a larger window", layout.left_out));
+    }
 }
 
 }  // namespace raks::render

@@ -63,7 +63,8 @@ OverlayControls draw_transport(const Pen& pen,
                                const Canvas& canvas);
 /// Above the source: one line that comes and goes.
 void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
-/// Middle: the list of keys in two columns, which break between groups.
+/// Middle: the list of keys, in two columns that break between groups, or in one where the picture
+/// is narrow. Lines for which there is no room are left out, and the last line says how many.
 void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas);
 /// Whether the cards stay visible beside the keys.
 [[nodiscard]] bool has_room_beside_help(const Canvas& canvas) noexcept;

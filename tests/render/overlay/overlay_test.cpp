@@ -3,12 +3,14 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -308,6 +310,36 @@ TEST_F(OverlayTest, help_lists_keys_in_the_middle) {
         EXPECT_EQ(pixels.drawn(0.0, 0.0, 1.0, 0.01), 0.0) << width << ": it fits";
         EXPECT_EQ(pixels.drawn(0.0, 0.99, 1.0, 1.0), 0.0) << width << ": it fits";
     }
+}
+
+TEST_F(OverlayTest, help_fits_into_narrow_and_small_pictures) {
+    const std::vector<HelpRow> rows = many_keys();
+    for (const auto& [width, height] :
+         {std::pair{480, 854}, std::pair{320, 180}, std::pair{854, 300}, std::pair{340, 600}}) {
+        OverlayState state;
+        state.help = rows;
+        const Pixels pixels = draw(state, OverlayView::hidden, width, height);
+        EXPECT_GT(pixels.drawn(0.3, 0.3, 0.7, 0.7), 0.99) << width;
+        EXPECT_EQ(pixels.drawn(0.0, 0.0, 1.0, 0.01), 0.0) << width;
+        EXPECT_EQ(pixels.drawn(0.0, 0.99, 1.0, 1.0), 0.0) << width;
+        EXPECT_EQ(pixels.drawn(0.0, 0.0, 0.003, 1.0), 0.0) << width;
+        EXPECT_EQ(pixels.drawn(0.997, 0.0, 1.0, 1.0), 0.0) << width;
+    }
+}
+
+TEST_F(OverlayTest, help_says_how_many_lines_have_no_room) {
+    const std::vector<HelpRow> rows = many_keys();
+    OverlayState state;
+    state.help = rows;
+    const Pixels all = draw(state, OverlayView::hidden, 320, 180);
+    // One line less is one line less that is left out: the last line differs, and nothing above it.
+    state.help = std::span(rows).first(rows.size() - 1);
+    const Pixels fewer = draw(state, OverlayView::hidden, 320, 180);
+    EXPECT_NE(fewer, all);
+    const std::size_t upper = all.rgba.size() / 4 * 3;
+    EXPECT_TRUE(std::equal(all.rgba.begin(),
+                           all.rgba.begin() + static_cast<std::ptrdiff_t>(upper),
+                           fewer.rgba.begin()));
 }
 
 TEST_F(OverlayTest, the_sign_shows_what_a_click_does) {
