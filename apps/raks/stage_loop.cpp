@@ -189,7 +189,6 @@ void StageLoop::run_headless(const std::string& source) {
 // Actions of this class, beside those of LiveActions and of the window.
 void StageLoop::bind(engine::ActionDispatcher& actions) {
     live_actions_.bind(actions);
-    actions.on(Action::next_file, [this](double) { go_on(); });
     bind_playing(actions);
     actions.on(Action::next_dance, [this](double) { select_next_dance(); });
     actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
@@ -198,8 +197,9 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
 
 // What a file has, and not an input.
 void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
-    actions.on(Action::previous_file, [this](double) { go_back(); });
     engine::Playback* const playback = graph_->playback();
+    actions.on(Action::next_file, [this](double) { go_on(); });
+    actions.on(Action::previous_file, [this](double) { go_back(); });
     if (playback == nullptr) {
         return;
     }
@@ -284,7 +284,7 @@ bool StageLoop::has_ended() const {
 }
 
 void StageLoop::go_on() {
-    if (graph_->playback() == nullptr || (window_ && source_.behind == StageSource::Behind::stay)) {
+    if (window_ && source_.behind == StageSource::Behind::stay) {
         say("no file follows (Q quits)");
     } else {
         wish_ = StageEnd::next_file;
@@ -322,13 +322,10 @@ void StageLoop::use(render::OverlayControl control, double share) {
 
 // Goes back to the start of the section or, when it is close, to the file before.
 void StageLoop::go_back() {
-    engine::Playback* const playback = graph_->playback();
-    if (playback == nullptr) {
-        return;
-    }
-    const bool is_far_in = playback->position_seconds() - source_.start > kStillTheStart;
-    if ((is_far_in || has_ended()) && playback->player().can_seek()) {
-        playback->seek(source_.start);
+    engine::Playback& playback = *graph_->playback();
+    const bool is_far_in = playback.position_seconds() - source_.start > kStillTheStart;
+    if ((is_far_in || has_ended()) && playback.player().can_seek()) {
+        playback.seek(source_.start);
     } else {
         wish_ = StageEnd::previous_file;
     }

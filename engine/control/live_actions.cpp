@@ -24,8 +24,10 @@ Nanos GraphTarget::latency_offset() { return graph_.latency_offset(); }
 
 void GraphTarget::set_latency_offset(Nanos offset) { graph_.set_latency_offset(offset); }
 
+// playback() is null where a microphone is the input: there is nothing to pause or seek.
+bool GraphTarget::plays_file() const { return graph_.playback() != nullptr; }
+
 void GraphTarget::toggle_pause() {
-    // playback() is null where a microphone is the input: there is nothing to pause or seek.
     if (Playback* const playback = graph_.playback()) {
         playback->set_paused(!playback->is_paused());
     }
@@ -51,6 +53,11 @@ using DancerKind = motion::DancerCommand::Kind;
 
 // The range of latency_offset_ms in the settings, to either side.
 constexpr Nanos kMostLatency = std::chrono::milliseconds(500);
+
+// Actions that need a file that plays.
+constexpr bool is_of_file(Action action) {
+    return action == Action::pause || action == Action::seek || action == Action::volume;
+}
 
 }  // namespace
 
@@ -97,8 +104,10 @@ void LiveActions::attach(LiveTarget& target) {
 
 void LiveActions::bind(ActionDispatcher& actions) {
     for (const Entry& entry : entries()) {
-        actions.on(entry.action,
-                   [this, handle = entry.handle](double value) { (this->*handle)(value); });
+        if (target_->plays_file() || !is_of_file(entry.action)) {
+            actions.on(entry.action,
+                       [this, handle = entry.handle](double value) { (this->*handle)(value); });
+        }
     }
 }
 

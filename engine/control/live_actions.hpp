@@ -31,6 +31,8 @@ class LiveTarget {
     /// Sets it; the next picture uses it. The caller keeps it within +-500 ms.
     virtual void set_latency_offset(Nanos offset) = 0;
 
+    /// Whether a file plays; with an input there is nothing to pause, to seek or to make louder.
+    [[nodiscard]] virtual bool plays_file() const = 0;
     /// Pauses the file or goes on with it; does nothing when the input is a microphone.
     virtual void toggle_pause() = 0;
     /// Moves the place in the file by so many seconds; does nothing with a microphone.
@@ -51,6 +53,7 @@ class GraphTarget final : public LiveTarget {
     [[nodiscard]] Bpm tempo() override;              ///< of the newest stage's beat grid
     [[nodiscard]] Nanos latency_offset() override;   ///< of the graph
     void set_latency_offset(Nanos offset) override;  ///< of the graph
+    [[nodiscard]] bool plays_file() const override;  ///< whether the graph has a playback
     void toggle_pause() override;                    ///< of the graph's playback, if any
     void seek_by(double seconds) override;           ///< of the graph's playback, if any
     void set_volume(float volume) override;          ///< of the graph's playback, if any
@@ -70,7 +73,8 @@ class LiveActions {
     /// Actions act upon `target` from here on. It gets the volume and, if an action has changed it,
     /// the latency offset. It must outlive the next attach() or the last dispatch.
     void attach(LiveTarget& target);
-    /// Registers these actions with `actions`. This object must not be moved afterwards.
+    /// Registers these actions with `actions`, those of a file where the target plays one: attach()
+    /// comes before. This object must not be moved afterwards.
     void bind(ActionDispatcher& actions);
     /// Tells dancers who have just replaced others what was asked of those (the lock of the
     /// figure).

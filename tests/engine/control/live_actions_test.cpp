@@ -28,6 +28,7 @@ class Recorder final : public LiveTarget {
     Bpm tempo() override { return Bpm(120.0); }
     Nanos latency_offset() override { return latency; }
     void set_latency_offset(Nanos offset) override { latency = offset; }
+    [[nodiscard]] bool plays_file() const override { return has_file; }
     void toggle_pause() override { ++pauses; }
     void seek_by(double seconds) override { seeks.push_back(seconds); }
     void set_volume(float value) override { volumes.push_back(value); }
@@ -39,6 +40,7 @@ class Recorder final : public LiveTarget {
     Nanos latency{};
     int pauses = 0;
     bool has_room = true;
+    bool has_file = true;
 };
 
 class Live : public ::testing::Test {
@@ -153,6 +155,31 @@ TEST_F(Live, the_file_is_paused_sought_and_made_louder) {
     EXPECT_EQ(target_.seeks, std::vector{-30.0});
     EXPECT_EQ(target_.volumes, (std::vector{1.0F, 1.0F, 0.95F})) << "at the start, then each step";
     EXPECT_EQ(live_.volume(), 0.95F);
+}
+
+TEST(LiveInputActions, leave_out_what_only_a_file_has) {
+    const auto bound_with = [](bool has_file) {
+        Recorder target;
+        target.has_file = has_file;
+        LiveActions live(1.0F, [](const std::string&) {});
+        live.attach(target);
+        ActionDispatcher actions([](const std::string&) {});
+        live.bind(actions);
+        std::vector<Action> bound;
+        for (const ActionRow& row : action_table()) {
+            if (actions.handles(row.action)) {
+                bound.push_back(row.action);
+            }
+        }
+        return bound;
+    };
+    std::vector<Action> of_a_file = bound_with(true);
+    const std::vector<Action> of_an_input = bound_with(false);
+    std::erase_if(of_a_file, [](Action action) {
+        return action == Action::pause || action == Action::seek || action == Action::volume;
+    });
+    EXPECT_EQ(of_an_input, of_a_file);
+    EXPECT_EQ(of_an_input.size() + 3, bound_with(true).size());
 }
 
 TEST_F(Live, the_latency_offset_moves_by_steps_and_stops_at_half_a_second) {
