@@ -346,9 +346,15 @@ void StageLoop::select_next_dance() {
     const std::size_t next = is_recognized ? 0 : index_of(selected_dance_) + 1;
     selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
     live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
-    say(selected_dance_ == DanceId::none
-            ? "the dance that is heard"
-            : fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
+    const motion::DancerStatus& dancer = graph_->stage().dancer;
+    if (selected_dance_ == DanceId::none) {
+        say("dancing what is heard (D: another dance)");
+    } else if (dancer.is_dancing && dancer.dance == selected_dance_) {
+        say(fmt::format("dancing {} already: it stays (D: another dance)",
+                        dances_->name_of(selected_dance_)));
+    } else {
+        say(fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
+    }
 }
 
 // Dancers who replaced others start with the recognised dance and must be told the selected one.
