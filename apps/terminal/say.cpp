@@ -36,6 +36,15 @@ std::atomic<int> g_descriptor{STDERR_FILENO};
 // Set once, before any other thread.
 std::FILE* lines() noexcept { return g_lines != nullptr ? g_lines : stderr; }
 
+// Whether a line of progress stands on the terminal, which whoever writes next has to clear.
+std::atomic<bool> g_progress_is_shown{false};
+
+// What clears the line of progress, once; else nothing.
+const char* clearing() noexcept {
+    // relaxed: the lines themselves are kept apart by the lock of the stream
+    return g_progress_is_shown.exchange(false, std::memory_order_relaxed) ? "\r\033[K" : "";
+}
+
 double seconds_now() { return to_seconds(Nanos(HostClock::now().time_since_epoch())); }
 
 }  // namespace
@@ -66,7 +75,7 @@ void let_libraries_speak() noexcept { dup2(descriptor_of_lines(), STDERR_FILENO)
 int descriptor_of_lines() noexcept { return g_descriptor.load(std::memory_order_relaxed); }
 
 void complain(std::string_view line) {
-    std::fprintf(lines(), "raks: %s\n", printable(line).c_str());
+    std::fprintf(lines(), "%sraks: %s\n", clearing(), printable(line).c_str());
 }
 
 void say(std::string_view line) {
@@ -112,11 +121,7 @@ ProgressLine::ProgressLine(std::string_view what)
       is_terminal_(isatty(descriptor_of_lines()) == 1 && talk() != Talk::quiet),
       start_seconds_(seconds_now()) {}
 
-ProgressLine::~ProgressLine() {
-    if (has_shown_) {
-        std::fputs("\r\033[K", lines());
-    }
-}
+ProgressLine::~ProgressLine() { std::fputs(clearing(), lines()); }
 
 void ProgressLine::show(double share) {
     std::string text = fmt::format("{:3.0f} %", 100.0 * share);
@@ -134,7 +139,7 @@ void ProgressLine::show(const std::string& text) {
         return;
     }
     last_seconds_ = now;
-    has_shown_ = true;
+    g_progress_is_shown.store(true, std::memory_order_relaxed);  // relaxed: as above
     std::fprintf(lines(), "\r\033[K%s %s", what_.c_str(), text.c_str());
     std::fflush(lines());
 }

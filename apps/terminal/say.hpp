@@ -38,7 +38,7 @@ void print_text(std::string_view text);
 void print_json(std::string_view document);
 
 /// One line of progress on stderr, rewritten in place; shown only on a terminal, at most five times
-/// a second, and not where `quiet`. Threads: one.
+/// a second, and not where `quiet`. The lines above clear it before they are written. Threads: one.
 class ProgressLine {
  public:
     /// `what`: stands before the progress, cut to 60 characters.
@@ -57,7 +57,6 @@ class ProgressLine {
  private:
     std::string what_;
     bool is_terminal_;
-    bool has_shown_ = false;
     double start_seconds_;
     double last_seconds_ = -1.0;
 };
