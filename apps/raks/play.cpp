@@ -339,7 +339,8 @@ Expected<StageEnd> Player::play(const Path& file,
         loop_.say(message);
     }
     if (audio::are_decoders_unconfined()) {
-        say_detail("this kernel refuses seccomp; files are decoded without its filter");
+        say_detail(
+            "this kernel has no filter of system calls (seccomp): files are decoded without one");
     }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
     // A file that does not say how long it is shows its end only here.

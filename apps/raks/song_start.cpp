@@ -31,8 +31,9 @@ void SongStart::look(engine::LiveGraph& graph) {
     if (progress.plan) {
         using Beginning = engine::PlannedStates::Beginning;
         graph.follow(progress.plan, has_begun_ ? Beginning::on_bar_line : Beginning::now);
-        say_detail(has_begun_ ? "the song is known now: its plan is danced from a bar line on"
-                              : "the song is known before it sounds");
+        say_detail(has_begun_
+                       ? "the whole song is analysed now and is danced as such from a bar line on"
+                       : "the whole song was analysed before it began");
     }
     is_planned_ = !progress.is_working;
     if (!comes_soon) {
@@ -45,7 +46,8 @@ void SongStart::let_go(engine::LiveGraph& graph) {
     if (!std::exchange(has_begun_, true)) {
         graph.playback()->let_go();
         if (!is_planned_) {
-            say_detail("the song begins before it is known, as live");
+            say_detail(
+                "the song begins before all of it is analysed, and is danced as live until then");
         }
     }
 }

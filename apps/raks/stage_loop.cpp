@@ -11,6 +11,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"
+#include "engine/live/loss_words.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/overlay/text_format.hpp"
@@ -163,15 +164,11 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
 
 // With a window the overlay counts them.
 void StageLoop::say_losses(const engine::LiveCounters& lost) const {
-    if (lost.xruns + lost.underruns + lost.dropped_states == 0) {
-        return;
+    const std::string words = engine::losses_in_words(lost);
+    if (!words.empty()) {
+        const std::string line = "while it ran: " + words;
+        window_ ? say_detail(line) : apps::say(line);
     }
-    const std::string line = fmt::format(
-        "the device ran dry {} times, the decoder was late {} times, {} states were not danced",
-        lost.xruns,
-        lost.underruns,
-        lost.dropped_states);
-    window_ ? say_detail(line) : apps::say(line);
 }
 
 // The same work as with a window, except for pictures.
@@ -198,11 +195,11 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
 // What a file has, and not an input.
 void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
     engine::Playback* const playback = graph_->playback();
-    actions.on(Action::next_file, [this](double) { go_on(); });
-    actions.on(Action::previous_file, [this](double) { go_back(); });
     if (playback == nullptr) {
         return;
     }
+    actions.on(Action::next_file, [this](double) { go_on(); });
+    actions.on(Action::previous_file, [this](double) { go_back(); });
     actions.on(Action::pause, [this](double) { toggle_pause(); });
     if (!playback->player().can_seek()) {
         actions.on(Action::seek,
@@ -389,7 +386,8 @@ void StageLoop::change_formation() {
 void StageLoop::change_bodies() {
     const auto replaced =
         graph_->replace_dancers(formations_.cast(), engine::MotionStage::Entry::onward);
-    replaced ? say_detail("the dance is solved for what is worn") : say(replaced.error().message);
+    replaced ? say_detail("the dance fits the avatars that are shown now")
+             : say(replaced.error().message);
 }
 
 // A camera preset is made for one or two dancers.

@@ -105,7 +105,8 @@ int main(int argc, char** argv) {
     const bool is_to_be_caged = argc < 3 || std::string_view(argv[2]) != "--no-sandbox";
     try {
         if (!is_caged(is_to_be_caged)) {
-            say(ImportKind::note, "read without a cage: this kernel refuses seccomp");
+            say(ImportKind::note,
+                "read without a filter of system calls, which this kernel has not (seccomp)");
         }
         serve(argv[1]);
     } catch (const std::bad_alloc&) {

@@ -157,7 +157,7 @@ Expected<void> Formations::take_loaded() {
         is_waiting_ = false;
         // Bodies that cannot be danced with are not asked for again with the next picture.
         if (asked_ == danced_) {
-            return fail("not solved for this avatar: " + loaded.error().message);
+            return fail("the dance does not fit this avatar exactly: " + loaded.error().message);
         }
         // The formation after this one is asked for next; the bodies are still to be solved for.
         bodies_ = danced_bodies_;

@@ -84,8 +84,8 @@ void draw_health(const Pen& pen, const OverlayState& state, float right, float y
     };
     // Numbers of zero are left out.
     count(state.xruns, "gap in the sound", "gaps in the sound");
-    count(state.drops, "drop", "drops");
-    count(state.late, "late", "late");
+    count(state.drops, "moment not danced", "moments not danced");
+    count(state.late, "wait for the file", "waits for the file");
 
     std::string line;
     if (state.latency_ms) {

@@ -85,7 +85,7 @@ struct OverlayState {
     double fps = 0.0;                    ///< 0: not shown
     std::uint64_t drops = 0;             ///< events or blocks that found a full queue
     std::uint64_t xruns = 0;             ///< blocks that the device lost
-    std::uint64_t late = 0;              ///< pictures or figures that came late
+    std::uint64_t late = 0;              ///< times that the file was decoded too late
     bool has_keys = false;               ///< whether keys are listened to: a hint how to list them
     std::string_view message{};          ///< one line, e.g. "screenshot saved: raks-....png"
     // Over the picture, below all cards, whatever the view is.
