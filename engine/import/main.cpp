@@ -23,14 +23,13 @@ namespace raks::engine {
 namespace {
 
 using render::ImportKind;
-using render::ImportTalk;
 using render::kImportSocket;
 
 constexpr std::uint64_t kMemory = std::uint64_t{1} << 30U;  // bytes, beside what libraries take
 constexpr rlim_t kSeconds = 20;                             // of the processor
 
 // raks, which waits, knows when it is too late.
-constexpr render::ImportDeadline kNever = render::ImportDeadline::max();
+constexpr TalkDeadline kNever = TalkDeadline::max();
 
 bool is_started_by_raks() {
     struct stat status {};
@@ -38,8 +37,8 @@ bool is_started_by_raks() {
 }
 
 /// Without raks there is nobody to read for.
-void insist(ImportTalk talk) {
-    if (talk != ImportTalk::good) {
+void insist(Talk talk) {
+    if (talk != Talk::good) {
         _exit(1);
     }
 }

@@ -18,7 +18,8 @@ inline constexpr std::chrono::seconds kLongestImport(20);
 /// Reads a model of another format: raks-import makes a binary glTF of it, which read_gltf reads.
 /// `format`: "fbx", "dae", "obj", or "draco" for a glTF with meshes that Draco packed. Its
 /// libraries run in a process of their own that opens no file, has 1 GiB and `longest`, and which a
-/// damaged or malicious file can at worst end; what it wants from beside the model is handed to it.
+/// damaged or malicious file can at worst end; of what lies beside the model it gets what
+/// WantedFiles gives.
 /// Nothing of it runs when this returns. Errors: why it cannot be read; the process broke off, hung
 /// or answered nonsense; it is not there, or this build is without it.
 /// Threads: workers. Real-time: no.

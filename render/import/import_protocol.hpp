@@ -2,12 +2,12 @@
 // same build; neither trusts what the other says.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+
+#include "base/talking_child.hpp"
 
 namespace raks::render {
 
@@ -33,23 +33,12 @@ struct ImportPart {
     std::string bytes;
 };
 
-/// When waiting ends.
-using ImportDeadline = std::chrono::steady_clock::time_point;
-
-/// What came of sending or receiving.
-enum class ImportTalk : std::uint8_t {
-    good,
-    broke,     ///< the other end is gone
-    late,      ///< the deadline has passed
-    nonsense,  ///< no part, or one that is too large
-};
-
 /// Sends a part whole. Threads: one a socket. Real-time: no.
-[[nodiscard]] ImportTalk send_part(int socket,
-                                   ImportKind kind,
-                                   std::string_view bytes,
-                                   ImportDeadline deadline);
+[[nodiscard]] Talk send_part(int socket,
+                             ImportKind kind,
+                             std::string_view bytes,
+                             TalkDeadline deadline);
 /// Receives a part whole. Threads: one a socket. Real-time: no.
-[[nodiscard]] ImportTalk receive_part(int socket, ImportPart& part, ImportDeadline deadline);
+[[nodiscard]] Talk receive_part(int socket, ImportPart& part, TalkDeadline deadline);
 
 }  // namespace raks::render

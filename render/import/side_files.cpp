@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "base/descriptor.hpp"
 #include "base/printable.hpp"
 
 namespace raks::render {
@@ -21,29 +22,6 @@ namespace {
 
 constexpr std::size_t kLongestUri = 1024;  // bytes; longer paths are no names that people give
 constexpr std::string_view kDataScheme = "data:";
-
-/// Closes a descriptor at the end.
-class Descriptor {
- public:
-    explicit Descriptor(int file) : file_(file) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (file_ >= 0) {
-            ::close(file_);
-        }
-    }
-    [[nodiscard]] int get() const noexcept { return file_; }
-    void reset(int file) {
-        if (file_ >= 0) {
-            ::close(file_);
-        }
-        file_ = file;
-    }
-
- private:
-    int file_;
-};
 
 int hex_digit(char c) {
     if (c >= '0' && c <= '9') {
@@ -75,55 +53,25 @@ bool has_scheme(std::string_view uri) {
     return colon != std::string_view::npos && uri.find('/') > colon;
 }
 
-/// The names of folders and of the file at the end. Errors: see SideFiles::read.
-Expected<std::vector<std::string>> path_of(std::string_view uri) {
-    if (uri.empty()) {
-        return fail("names no file");
-    }
-    if (uri.size() > kLongestUri) {
-        return fail(fmt::format("a name of {} bytes", uri.size()));
-    }
-    if (has_scheme(uri)) {
-        return fail(fmt::format("\"{}\" is no file beside the model", printable(uri, 80)));
-    }
-    const auto path = percent_decoded(uri);
-    const bool is_odd =
-        !path || path->front() == '/' || std::any_of(path->begin(), path->end(), [](char c) {
-            return c == '\\' || static_cast<unsigned char>(c) < 0x20;
-        });
-    if (is_odd) {
-        return fail(fmt::format("\"{}\" is no plain relative path", printable(uri, 80)));
-    }
-    std::vector<std::string> names;
-    for (std::size_t at = 0; at <= path->size();) {
-        const std::size_t slash = std::min(path->find('/', at), path->size());
-        names.push_back(path->substr(at, slash - at));
-        at = slash + 1;
-        if (names.back().empty() || names.back() == "..") {
-            return fail(fmt::format("\"{}\" leads out of the model's folder", printable(uri, 80)));
-        }
-    }
-    return names;
-}
-
 /// Opens name after name, following no link.
 Expected<int> open_below(const std::filesystem::path& folder,
                          const std::vector<std::string>& names) {
     const std::filesystem::path start = folder.empty() ? "." : folder;
     Descriptor here(::open(start.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    for (std::size_t i = 0; i < names.size() && here.get() >= 0; ++i) {
+    for (std::size_t i = 0; i < names.size() && here.number >= 0; ++i) {
         const bool is_last = i + 1 == names.size();
         // O_NONBLOCK: a pipe without a writer must not keep the program waiting.
         const int flags = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | (is_last ? O_NONBLOCK : O_DIRECTORY);
-        here.reset(::openat(here.get(), names[i].c_str(), flags));
+        const int next = ::openat(here.number, names[i].c_str(), flags);
+        here.close();
+        here.number = next;
     }
-    if (here.get() < 0) {
+    if (here.number < 0) {
         return fail(errno == ELOOP ? std::string("is a link, which is not followed")
                                    : fmt::format("cannot be opened: {}",
                                                  std::generic_category().message(errno)));
     }
-    const int file = ::dup(here.get());
-    return file;
+    return here.release();
 }
 
 Expected<std::vector<std::byte>> read_all(int file, std::size_t max_bytes) {
@@ -187,9 +135,43 @@ Expected<std::vector<std::byte>> base64_decoded(std::string_view text) {
 
 }  // namespace
 
+Expected<std::vector<std::string>> side_path(std::string_view uri) {
+    if (uri.empty()) {
+        return fail("names no file");
+    }
+    if (uri.size() > kLongestUri) {
+        return fail(fmt::format("a name of {} bytes", uri.size()));
+    }
+    if (has_scheme(uri)) {
+        return fail(fmt::format("\"{}\" is no file beside the model", printable(uri, 80)));
+    }
+    const auto path = percent_decoded(uri);
+    const bool is_odd =
+        !path || path->front() == '/' || std::any_of(path->begin(), path->end(), [](char c) {
+            return c == '\\' || static_cast<unsigned char>(c) < 0x20;
+        });
+    if (is_odd) {
+        return fail(fmt::format("\"{}\" is no plain relative path", printable(uri, 80)));
+    }
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at <= path->size();) {
+        const std::size_t slash = std::min(path->find('/', at), path->size());
+        names.push_back(path->substr(at, slash - at));
+        at = slash + 1;
+        if (names.back().empty() || names.back() == "..") {
+            return fail(fmt::format("\"{}\" leads out of the model's folder", printable(uri, 80)));
+        }
+        if (names.back().front() == '.' && names.back() != ".") {
+            return fail(
+                fmt::format("\"{}\" is hidden, which no part of a model is", printable(uri, 80)));
+        }
+    }
+    return names;
+}
+
 Expected<std::vector<std::byte>> SideFiles::read(std::string_view uri,
                                                  std::size_t max_bytes) const {
-    auto names = path_of(uri);
+    const auto names = side_path(uri);
     if (!names) {
         return fail(names.error());
     }
@@ -202,7 +184,7 @@ Expected<std::vector<std::byte>> SideFiles::read(std::string_view uri,
         return fail(fmt::format("\"{}\" {}", shown, file.error().message));
     }
     const Descriptor descriptor(*file);
-    auto bytes = read_all(descriptor.get(), max_bytes);
+    auto bytes = read_all(descriptor.number, max_bytes);
     if (!bytes) {
         return fail(fmt::format("\"{}\" {}", shown, bytes.error().message));
     }

@@ -251,6 +251,37 @@ TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
     EXPECT_EQ(said.find('\n'), std::string::npos);
 }
 
+TEST_F(ImportChild, gets_of_what_lies_beside_a_model_what_the_model_names) {
+    fs::create_directories(folder_ / ".ssh");
+    give(".ssh/id_rsa", "secret");
+    give("holiday.png", "secret");
+    give("square.png", "inside");
+    const std::string model = kCollada + std::string("<!-- square.png -->");
+    // It reads the model, wants a file (2: want) and keeps what it is answered.
+    const auto answer_to = [&](const std::string& wanted) {
+        const std::string kept = (folder_ / "kept").string();
+        replace(
+            fmt::format("head -c {} <&3 >/dev/null\n"
+                        "printf '\\x01\\0IR\\2\\0\\0\\0\\x{:02x}\\0\\0\\0\\0\\0\\0\\0{}' >&3\n"
+                        "head -c 22 <&3 | tail -c 6 >{}\nexit 3\n",
+                        model.size() + 16,
+                        wanted.size(),
+                        wanted,
+                        kept));
+        EXPECT_FALSE(read_within(20s, model));
+        return read_file(kept).value();
+    };
+    EXPECT_EQ(answer_to("square.png"), "inside");
+    EXPECT_NE(answer_to(".ssh/id_rsa"), "secret");
+    EXPECT_NE(answer_to("holiday.png"), "secret");
+}
+
+TEST_F(ImportChild, that_asks_without_end_is_ended) {
+    const std::string want = "printf '\\x01\\0IR\\2\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0x' >&3";
+    replace("cat <&3 >/dev/null &\nwhile " + want + "; do :; done\n");
+    EXPECT_NE(message(read_within(20s)).find("and was ended"), std::string::npos);
+}
+
 TEST_F(ImportChild, that_hangs_is_ended_with_all_that_it_started) {
     const fs::path started = folder_ / "started";
     const std::string note = "sleep 1000 & echo $! > " + started.string() + "\n";
