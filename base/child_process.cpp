@@ -5,8 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
@@ -25,6 +27,37 @@ void set_attributes(posix_spawnattr_t& attributes) {
     posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(
         &attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+}
+
+// What a program of ours needs to be loaded and, in builds for tests, to be watched.
+constexpr std::array kNeededVariables = {"LD_LIBRARY_PATH",
+                                         "ASAN_OPTIONS",
+                                         "LSAN_OPTIONS",
+                                         "RTSAN_OPTIONS",
+                                         "TSAN_OPTIONS",
+                                         "UBSAN_OPTIONS"};
+
+// "NAME=value" of each of them that is set.
+std::vector<std::string> needed_environment() {
+    std::vector<std::string> needed;
+    for (const char* const name : kNeededVariables) {
+        const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): never set
+        if (value != nullptr) {
+            needed.push_back(std::string(name) + "=" + value);
+        }
+    }
+    return needed;
+}
+
+// As exec wants them: pointers, with a null at the end.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
+    for (std::string& word : words) {
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    return pointers;
 }
 
 // Copies under numbers that the child's own do not overwrite; closed with this.
@@ -75,12 +108,9 @@ void set_descriptors(posix_spawn_file_actions_t& actions,
 Expected<pid_t> spawn_child(const ChildStart& start) {
     std::vector<std::string> words{start.program.string()};
     words.insert(words.end(), start.arguments.begin(), start.arguments.end());
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
+    std::vector<std::string> needed = needed_environment();
+    const std::vector<char*> arguments = pointers_to(words);
+    const std::vector<char*> variables = pointers_to(needed);
     const HighCopies copies(start.descriptors);
     pid_t pid = -1;
     int error = copies.error();
@@ -91,8 +121,12 @@ Expected<pid_t> spawn_child(const ChildStart& start) {
         posix_spawn_file_actions_init(&actions);
         set_attributes(attributes);
         set_descriptors(actions, copies.numbers(), start.is_heard);
-        error = posix_spawn(
-            &pid, words.front().c_str(), &actions, &attributes, arguments.data(), environ);
+        error = posix_spawn(&pid,
+                            words.front().c_str(),
+                            &actions,
+                            &attributes,
+                            arguments.data(),
+                            start.has_our_environment ? environ : variables.data());
         posix_spawn_file_actions_destroy(&actions);
         posix_spawnattr_destroy(&attributes);
     }

@@ -21,6 +21,9 @@ struct ChildStart {
     /// What it gets from kFirstGiven on; they stay the caller's. All else is closed.
     std::span<const int> descriptors;
     bool is_heard = false;  ///< what it says on standard error is not lost
+    /// It gets our whole environment, as a program that looks for a person's files needs it. Else
+    /// it gets of ours where libraries lie (LD_LIBRARY_PATH) and what sanitizers are told.
+    bool has_our_environment = false;
 };
 
 /// Starts a child of this process, with signals as a fresh program has them and a process group of

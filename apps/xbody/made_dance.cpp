@@ -34,7 +34,8 @@ Expected<MadeDance> MadeDance::begin(const fs::path& program, const fs::path& mu
     auto child = spawn_child(
         {.program = program,
          .arguments = {"dance", "-q", "-o", file_in(made.folder_).string(), "--", music.string()},
-         .descriptors = {}});
+         .descriptors = {},
+         .has_our_environment = true});
     if (!child) {
         return fail(std::move(child.error()));
     }
