@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,9 @@ constexpr int kPollMilliseconds = 50;
 
 std::atomic<bool> is_any_unconfined{false};
 
+// What a decoder says, fit for people.
+std::string line_of(std::string_view words) { return printable(words, kDecodeTextBytes); }
+
 }  // namespace
 
 bool are_decoders_unconfined() noexcept {
@@ -31,11 +35,13 @@ bool are_decoders_unconfined() noexcept {
 
 Expected<std::unique_ptr<DecoderClient>> DecoderClient::open(DecodedSource source) {
     auto process = DecoderProcess::start(source.is_stop_requested);
-    if (!process) {
-        return fail(source.name + ": " + process.error().message);
-    }
-    std::unique_ptr<DecoderClient> client(
-        new DecoderClient(std::move(source), std::move(*process)));
+    return process ? open(std::move(source), std::move(*process))
+                   : fail(source.name + ": " + process.error().message);
+}
+
+Expected<std::unique_ptr<DecoderClient>> DecoderClient::open(
+    DecodedSource source, std::unique_ptr<DecoderProcess> process) {
+    std::unique_ptr<DecoderClient> client(new DecoderClient(std::move(source), std::move(process)));
     if (auto started = client->start(); !started) {
         return fail(started.error());
     }
@@ -50,7 +56,7 @@ Expected<void> DecoderClient::start() {
     const Passed sent = send_message(process_->socket(), ask, std::span(&source_.descriptor, 1));
     const Waited waited = sent == Passed::yes ? receive() : Waited::broke;
     if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
-        return fail(std::string(message_.words()));
+        return fail(line_of(message_.words()));
     }
     if (waited != Waited::answer || !take_head()) {
         return fail(source_.name + ": " + end(waited) + " before its first sound");
@@ -78,9 +84,9 @@ bool DecoderClient::take_head() {
         info_.claimed_frames = head.claimed_frames;
     }
     info_.hearing = {head.is_from_side != 0, head.offset, head.gain};
-    info_.format = words.substr(0, head.format_bytes);
+    info_.format = line_of(words.substr(0, head.format_bytes));
     info_.tags = tags_of_text(words.substr(head.format_bytes, head.tag_bytes));
-    warning_ = words.substr(head.format_bytes + head.tag_bytes);
+    warning_ = line_of(words.substr(head.format_bytes + head.tag_bytes));
     if (head.is_confined == 0) {
         is_any_unconfined.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
     }
@@ -160,7 +166,7 @@ bool DecoderClient::take_samples() {
         message_.slot >= kDecodeSlots || message_.value < 0 || message_.value > most) {
         return false;
     }
-    warning_ = message_.words();
+    warning_ = line_of(message_.words());
     slot_ = message_.slot;
     slot_at_ = 0;
     slot_end_ = static_cast<std::size_t>(message_.value) * channels;
@@ -200,7 +206,16 @@ std::size_t DecoderClient::read(std::span<float> interleaved) {
     return done / channels;
 }
 
-// Answers to what was asked before are passed over.
+// The answer to a seek. Samples from before it are passed over: at most one for each slot, or the
+// decoder is not to be trusted.
+Waited DecoderClient::receive_sought() {
+    Waited waited = receive();
+    for (std::size_t i = 0; i < kDecodeSlots && waited == Waited::answer && !is_new(); ++i) {
+        waited = receive();
+    }
+    return waited;
+}
+
 Expected<void> DecoderClient::seek(std::int64_t frame) {
     if (!process_) {
         return fail(warning_.empty() ? source_.name + ": has no decoder any more" : warning_);
@@ -211,20 +226,18 @@ Expected<void> DecoderClient::seek(std::int64_t frame) {
     ask.value = frame;
     has_slot_ = false;
     is_at_end_ = false;
-    Waited waited =
-        send_message(process_->socket(), ask) == Passed::yes ? receive() : Waited::broke;
-    while (waited == Waited::answer && message_.generation != generation_) {
-        waited = receive();
-    }
-    if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
-        return fail(std::string(message_.words()));
+    const Waited waited =
+        send_message(process_->socket(), ask) == Passed::yes ? receive_sought() : Waited::broke;
+    const bool is_answered = waited == Waited::answer && is_new();
+    if (is_answered && message_.kind == DecodeKind::failed) {
+        return fail(line_of(message_.words()));
     }
     position_ = frame;
-    if (waited != Waited::answer || message_.kind != DecodeKind::sought) {
+    if (!is_answered || message_.kind != DecodeKind::sought) {
         break_off(waited);
         return fail(warning_.empty() ? source_.name + ": was stopped" : warning_);
     }
-    warning_ = message_.words();
+    warning_ = line_of(message_.words());
     return {};
 }
 

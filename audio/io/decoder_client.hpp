@@ -30,6 +30,9 @@ class DecoderClient final : public AudioFileReader {
  public:
     /// Errors: those of the decoders; it cannot be started; it broke off or hung.
     [[nodiscard]] static Expected<std::unique_ptr<DecoderClient>> open(DecodedSource source);
+    /// The same with a process that has no file yet.
+    [[nodiscard]] static Expected<std::unique_ptr<DecoderClient>> open(
+        DecodedSource source, std::unique_ptr<DecoderProcess> process);
 
     [[nodiscard]] std::size_t read(std::span<float> interleaved) override;
     [[nodiscard]] Expected<void> seek(std::int64_t frame) override;
@@ -39,6 +42,8 @@ class DecoderClient final : public AudioFileReader {
         : source_(std::move(source)), process_(std::move(process)) {}
     [[nodiscard]] Expected<void> start();
     [[nodiscard]] Waited receive();
+    [[nodiscard]] Waited receive_sought();
+    [[nodiscard]] bool is_new() const noexcept { return message_.generation == generation_; }
     [[nodiscard]] Waited wait();
     [[nodiscard]] bool take_head();
     [[nodiscard]] bool take_samples();

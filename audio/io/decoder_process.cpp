@@ -12,7 +12,6 @@
 
 #include "audio/io/decoder_fork_server.hpp"
 #include "audio/io/decoder_spawn.hpp"
-#include "base/descriptor.hpp"
 
 namespace raks::audio {
 namespace {
@@ -23,6 +22,13 @@ struct Links {
 
     [[nodiscard]] bool make();
 };
+
+bool make_memory(Descriptor& memory) {
+    memory.number = ::memfd_create("raks-decode", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    // Sealed: a child that shortened it would make us die at the next read.
+    return memory.number >= 0 && ::ftruncate(memory.number, sizeof(DecodeMemory)) == 0 &&
+           ::fcntl(memory.number, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) == 0;
+}
 
 bool Links::make() {
     std::array<int, 2> pair{-1, -1};
@@ -36,10 +42,7 @@ bool Links::make() {
     }
     child_lifeline.number = pair[0];
     lifeline.number = pair[1];
-    memory.number = ::memfd_create("raks-decode", MFD_CLOEXEC | MFD_ALLOW_SEALING);
-    // Sealed: a child that shortened it would make us die at the next read.
-    return memory.number >= 0 && ::ftruncate(memory.number, sizeof(DecodeMemory)) == 0 &&
-           ::fcntl(memory.number, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) == 0;
+    return make_memory(memory);
 }
 
 tl::unexpected<Error> no_room() {
@@ -55,12 +58,9 @@ Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::start(
         return no_room();
     }
     std::unique_ptr<DecoderProcess> process(new DecoderProcess);
-    void* const memory = ::mmap(
-        nullptr, sizeof(DecodeMemory), PROT_READ | PROT_WRITE, MAP_SHARED, links.memory.number, 0);
-    if (memory == MAP_FAILED) {
+    if (!process->map(links.memory.number)) {
         return no_room();
     }
-    process->memory_ = static_cast<DecodeMemory*>(memory);
     const auto pid = DecoderForkServer::get().start_decoder(
         {links.child_socket.number, links.memory.number, links.child_lifeline.number},
         is_stop_requested);
@@ -71,6 +71,23 @@ Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::start(
     process->socket_ = links.socket.release();
     process->lifeline_ = links.lifeline.release();
     return process;
+}
+
+Expected<std::unique_ptr<DecoderProcess>> DecoderProcess::over(Descriptor& socket) {
+    std::unique_ptr<DecoderProcess> process(new DecoderProcess);
+    Descriptor memory;
+    if (!make_memory(memory) || !process->map(memory.number)) {
+        return no_room();
+    }
+    process->socket_ = socket.release();
+    return process;
+}
+
+bool DecoderProcess::map(int memory) {
+    void* const place =
+        ::mmap(nullptr, sizeof(DecodeMemory), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
+    memory_ = place == MAP_FAILED ? nullptr : static_cast<DecodeMemory*>(place);
+    return memory_ != nullptr;
 }
 
 DecoderProcess::~DecoderProcess() {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "audio/io/decode_protocol.hpp"
+#include "base/descriptor.hpp"
 #include "base/expected.hpp"
 
 namespace raks::audio {
@@ -19,6 +20,9 @@ class DecoderProcess {
     /// DecoderForkServer::start_decoder; no descriptors or memory are left.
     [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> start(
         const std::function<bool()>& is_stop_requested);
+    /// One that somebody else runs, who speaks over this socket: for tests of what a decoder may
+    /// say. Errors: no memory is left.
+    [[nodiscard]] static Expected<std::unique_ptr<DecoderProcess>> over(Descriptor& socket);
     /// Kills it and waits for its end.
     ~DecoderProcess();
     DecoderProcess(const DecoderProcess&) = delete;             ///< one owner
@@ -33,6 +37,7 @@ class DecoderProcess {
 
  private:
     DecoderProcess() = default;
+    [[nodiscard]] bool map(int memory);
 
     pid_t pid_ = -1;
     int socket_ = -1;

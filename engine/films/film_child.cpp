@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "base/program_parts.hpp"
 #include "base/time.hpp"
 
@@ -38,6 +39,9 @@ bool make_pair(int kind, Descriptor& ours, Descriptor& childs) {
     childs.number = pair[1];
     return true;
 }
+
+// What a decoder says, fit for people.
+std::string line_of(std::string_view words) { return printable(words, audio::kDecodeTextBytes); }
 
 bool is_size(const audio::DecodedPicture& picture) {
     return picture.width >= 1 && picture.width <= kMostPixels && picture.height >= 1 &&
@@ -149,7 +153,7 @@ Expected<FilmInfo> FilmChild::open(const std::filesystem::path& path) {
     const Passed sent = audio::send_message(socket_.number, ask, std::span(&file.number, 1));
     const Waited waited = sent == Passed::yes ? receive() : Waited::broke;
     if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
-        return fail(std::string(message_.words()));
+        return fail(line_of(message_.words()));
     }
     const audio::DecodedPicture& film = message_.picture;
     if (waited != Waited::answer || message_.kind != DecodeKind::opened || !is_size(film) ||
@@ -162,7 +166,7 @@ Expected<FilmInfo> FilmChild::open(const std::filesystem::path& path) {
                   .pictures_per_second = std::max(film.pictures_per_second, 0.0),
                   .claimed_seconds = std::nullopt,
                   .turned = film.turned,
-                  .format = std::string(message_.words())};
+                  .format = line_of(message_.words())};
     if (message_.head.claimed_seconds >= 0.0) {
         info.claimed_seconds = message_.head.claimed_seconds;
     }
@@ -191,11 +195,11 @@ Expected<std::optional<FilmPicture>> FilmChild::next() {
     }
     if (message_.kind == DecodeKind::failed) {
         has_film_ = false;
-        return fail(std::string(message_.words()));
+        return fail(line_of(message_.words()));
     }
     if (message_.kind == DecodeKind::film_end) {
         has_film_ = false;
-        warning_ = message_.words();
+        warning_ = line_of(message_.words());
         return newest_ ? Expected<std::optional<FilmPicture>>(std::nullopt) : fail(warning_);
     }
     const audio::DecodedPicture head = message_.picture;

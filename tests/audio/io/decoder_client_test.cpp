@@ -4,9 +4,11 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -200,6 +202,57 @@ TEST_F(Decoders, what_answers_nonsense_is_ended) {
     EXPECT_NE(reader.error().message.find("broke off (exit code 0) before its first sound"),
               std::string::npos)
         << reader.error().message;
+}
+
+/// What a decoder has said before it was asked: a head, and then the same samples again and again.
+Expected<std::unique_ptr<DecoderClient>> client_of_flooding_decoder(Descriptor& decoder) {
+    std::array<int, 2> ends{-1, -1};
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
+    Descriptor ours(ends[0]);
+    decoder.number = ends[1];
+    DecodeMessage message;
+    message.kind = DecodeKind::opened;
+    message.head = {.rate = 48'000, .channels = 2};
+    message.set_text({});
+    EXPECT_EQ(send_message(decoder.number, message), Passed::yes);
+    message.kind = DecodeKind::samples;
+    message.value = 1;
+    for (std::size_t i = 0; i < 3 * kDecodeSlots; ++i) {
+        message.slot = i % kDecodeSlots;
+        EXPECT_EQ(send_message(decoder.number, message), Passed::yes);
+    }
+    const Descriptor file(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    DecodedSource source;
+    source.name = "flood";
+    source.descriptor = file.number;
+    return DecoderClient::open(std::move(source), DecoderProcess::over(ours).value());
+}
+
+TEST(DecoderClient, lets_no_decoder_speak_to_a_terminal) {
+    std::array<int, 2> ends{-1, -1};
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()), 0);
+    Descriptor ours(ends[0]);
+    const Descriptor decoder(ends[1]);
+    DecodeMessage message;
+    message.kind = DecodeKind::failed;
+    message.set_text("x.wav: is\n\x1b[2J no sound");
+    ASSERT_EQ(send_message(decoder.number, message), Passed::yes);
+    const Descriptor file(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    DecodedSource source;
+    source.descriptor = file.number;
+    const auto client = DecoderClient::open(std::move(source), DecoderProcess::over(ours).value());
+    ASSERT_FALSE(client);
+    EXPECT_EQ(client.error().message, "x.wav: is??[2J no sound");
+}
+
+TEST(DecoderClient, ends_a_decoder_that_answers_a_seek_with_samples_without_end) {
+    Descriptor decoder;
+    const auto client = client_of_flooding_decoder(decoder);
+    ASSERT_TRUE(client) << client.error().message;
+    const auto sought = (*client)->seek(100);
+    ASSERT_FALSE(sought);
+    EXPECT_EQ(sought.error().message,
+              "flood: its decoder answered nonsense and was ended at 0.00 s; the rest is left out");
 }
 
 }  // namespace
