@@ -13,7 +13,8 @@ std::optional<Thumbnail> thumbnail_of(const render::Model& model) {
         return std::nullopt;
     }
     const render::ModelImage& packed = model.images[static_cast<std::size_t>(index)];
-    const auto image = render::decode_image(packed.packed, packed.halvings);
+    render::ModelUnpacker unpacker;
+    const auto image = render::decode_image(unpacker, packed.packed, packed.halvings);
     if (!image) {
         return std::nullopt;
     }

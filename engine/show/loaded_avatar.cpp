@@ -25,18 +25,23 @@ namespace fs = std::filesystem;
 /// beyond the memory that a character is worth are halved.
 std::vector<render::Image> unpacked(render::Model& model) {
     std::vector<render::Image> images;
+    render::ModelUnpacker unpacker;
     for (const render::ModelImage& packed : model.images) {
         render::Image& image = images.emplace_back();
         if (packed.packed.empty()) {
             continue;  // the reader has said why
         }
-        Expected<render::Image> read = render::decode_image(packed.packed, packed.halvings);
+        Expected<render::Image> read =
+            render::decode_image(unpacker, packed.packed, packed.halvings);
         if (read) {
             image = std::move(*read);
         } else {
             model.warnings.push_back(fmt::format(
                 "image {}: {}; drawn white", printable(packed.name), read.error().message));
         }
+    }
+    if (unpacker.is_uncaged()) {
+        model.warnings.emplace_back(render::kUncagedWarning);
     }
     return images;
 }

@@ -1,9 +1,9 @@
 #include "render/import/gltf_buffers.hpp"
 
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 
 #include "render/import/notes.hpp"
 
@@ -14,61 +14,8 @@ constexpr std::int64_t kLongestBuffer = std::int64_t{1} << 30U;  // bytes
 constexpr std::size_t kMostBuffers = 10'000;
 constexpr std::size_t kMostViews = 500'000;
 
-enum PackMode : std::size_t { kPackedVertices, kPackedTriangles, kPackedIndices };
-enum PackFilter : std::size_t {
-    kNoFilter,
-    kOctahedralFilter,
-    kQuaternionFilter,
-    kExponentialFilter
-};
-
-/// Whether meshopt's decoders may be called with it: they assert what they need.
-bool can_be_unpacked(std::size_t mode,
-                     std::size_t filter,
-                     std::size_t stride,
-                     std::uint64_t count) {
-    if (mode != kPackedVertices) {
-        return (stride == 2 || stride == 4) && filter == kNoFilter &&
-               (mode != kPackedTriangles || count % 3 == 0);
-    }
-    if (stride == 0 || stride % 4 != 0 || stride > 256) {
-        return false;
-    }
-    return filter == kNoFilter || filter == kExponentialFilter ||
-           (filter == kOctahedralFilter && (stride == 4 || stride == 8)) ||
-           (filter == kQuaternionFilter && stride == 8);
-}
-
-/// Unpacks into `out`, which has room for it. False: it is not packed so.
-bool unpack_into(std::vector<std::byte>& out,
-                 std::size_t mode,
-                 std::size_t count,
-                 std::size_t stride,
-                 std::span<const std::byte> packed) {
-    const auto* const bytes = reinterpret_cast<const unsigned char*>(packed.data());
-    switch (mode) {
-        case kPackedVertices:
-            return meshopt_decodeVertexBuffer(out.data(), count, stride, bytes, packed.size()) == 0;
-        case kPackedTriangles:
-            return meshopt_decodeIndexBuffer(out.data(), count, stride, bytes, packed.size()) == 0;
-        default:
-            return meshopt_decodeIndexSequence(out.data(), count, stride, bytes, packed.size()) ==
-                   0;
-    }
-}
-
-void filter_in_place(std::vector<std::byte>& bytes,
-                     std::size_t filter,
-                     std::size_t count,
-                     std::size_t stride) {
-    if (filter == kOctahedralFilter) {
-        meshopt_decodeFilterOct(bytes.data(), count, stride);
-    } else if (filter == kQuaternionFilter) {
-        meshopt_decodeFilterQuat(bytes.data(), count, stride);
-    } else if (filter == kExponentialFilter) {
-        meshopt_decodeFilterExp(bytes.data(), count, stride);
-    }
-}
+constexpr std::size_t kModes = 3;
+constexpr std::size_t kFilters = 4;
 
 }  // namespace
 
@@ -149,19 +96,24 @@ GltfBuffers::Packed GltfBuffers::read_packed(const JsonField& field, const View&
     packed.buffer = field["buffer"].index(buffers_.size());
     packed.offset = static_cast<std::uint64_t>(field["byteOffset"].whole_or(0, 0, kLongestBuffer));
     packed.length = static_cast<std::uint64_t>(field["byteLength"].whole(1, kLongestBuffer));
-    packed.stride = static_cast<std::size_t>(field["byteStride"].whole(2, 256));
-    packed.count = static_cast<std::uint64_t>(field["count"].whole(1, kLongestBuffer));
-    packed.mode =
-        field["mode"].choice_or(kPackedIndices + 1, {"ATTRIBUTES", "TRIANGLES", "INDICES"});
-    packed.filter =
-        field["filter"].choice_or(kNoFilter, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"});
+    UnpackRequest& how = packed.how;
+    how.row_bytes = static_cast<std::uint32_t>(field["byteStride"].whole(2, 256));
+    how.rows = static_cast<std::uint64_t>(field["count"].whole(1, kLongestBuffer));
+    const std::size_t mode =
+        field["mode"].choice_or(kModes, {"ATTRIBUTES", "TRIANGLES", "INDICES"});
+    const std::size_t filter =
+        field["filter"].choice_or(0, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"});
+    constexpr std::array<PackedKind, kModes> kKinds = {
+        PackedKind::vertices, PackedKind::triangles, PackedKind::indices};
+    how.kind = mode < kModes ? kKinds[mode] : PackedKind::vertices;
+    how.filter = static_cast<PackedFilter>(filter);
     check_range(field, packed.buffer, packed.offset, packed.length);
-    if (packed.mode > kPackedIndices ||
-        !can_be_unpacked(packed.mode, packed.filter, packed.stride, packed.count)) {
+    packed.is_good = mode < kModes && filter < kFilters && can_be_unpacked(how);
+    if (!packed.is_good) {
         field.complain("mode, filter, stride and count do not fit");
-    } else if (packed.stride * packed.count != view.length) {
-        field.complain(fmt::format(
-            "{} x {} bytes for a view of {}", packed.count, packed.stride, view.length));
+    } else if (how.row_bytes * how.rows != view.length) {
+        field.complain(
+            fmt::format("{} x {} bytes for a view of {}", how.rows, how.row_bytes, view.length));
     }
     return packed;
 }
@@ -235,21 +187,22 @@ std::span<const std::byte> GltfBuffers::unpack(Packed& packed, const JsonField& 
     if (packed.offset > all.size() || packed.length > all.size() - packed.offset) {
         return {};
     }
-    if (!can_be_unpacked(packed.mode, packed.filter, packed.stride, packed.count)) {
+    if (!packed.is_good) {
         return {};  // noted when the view was read
     }
-    if (!budget_.claim(packed.count, packed.stride)) {
+    if (!budget_.claim(packed.how.rows, packed.how.row_bytes)) {
         user.complain("unpacks to too much");
         return {};
     }
-    const auto count = static_cast<std::size_t>(packed.count);
-    std::vector<std::byte> out(count * packed.stride);
-    if (!unpack_into(
-            out, packed.mode, count, packed.stride, all.subspan(packed.offset, packed.length))) {
-        user.complain("its meshopt data cannot be unpacked");
+    std::vector<std::byte> out(static_cast<std::size_t>(packed.how.rows * packed.how.row_bytes));
+    const auto done = unpacker_.unpack(packed.how, all.subspan(packed.offset, packed.length), out);
+    if (!done) {
+        user.complain(done.error().message);
         return {};
     }
-    filter_in_place(out, packed.filter, count, packed.stride);
+    if (unpacker_.is_uncaged()) {
+        warn(model_, kUncagedWarning);
+    }
     packed.unpacked = std::move(out);
     return packed.unpacked;
 }

@@ -9,6 +9,7 @@
 #include "render/import/gltf_file.hpp"
 #include "render/import/import_budget.hpp"
 #include "render/import/json_field.hpp"
+#include "render/import/model_unpacker.hpp"
 #include "render/import/side_files.hpp"
 #include "render/model/model.hpp"
 
@@ -55,10 +56,8 @@ class GltfBuffers {
         int buffer = 0;
         std::uint64_t offset = 0;
         std::uint64_t length = 0;
-        std::size_t stride = 0;
-        std::uint64_t count = 0;
-        std::size_t mode = 0;    ///< ATTRIBUTES, TRIANGLES, INDICES
-        std::size_t filter = 0;  ///< NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
+        UnpackRequest how;
+        bool is_good = false;  ///< `how` is one that can be
         bool is_unpacked = false;
         std::vector<std::byte> unpacked;
     };
@@ -85,6 +84,7 @@ class GltfBuffers {
     Model& model_;
     std::vector<Buffer> buffers_;
     std::vector<View> views_;
+    ModelUnpacker unpacker_;
 };
 
 }  // namespace raks::render

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
-
-#include "render/import/image_codecs.hpp"
 
 namespace raks::render {
 namespace {
@@ -44,6 +43,46 @@ Expected<ImageHead> look_at_jpeg(std::span<const std::byte> bytes) {
         at += 2 + big_endian(bytes, at + 2, 2);
     }
     return fail("a JPEG that is cut");
+}
+
+/// A number of `count` bytes, the lowest first.
+std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at, std::size_t count) {
+    std::uint32_t value = 0;
+    for (std::size_t i = count; i > 0; --i) {
+        value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[at + i - 1]);
+    }
+    return value;
+}
+
+/// The head of a WebP: of its canvas, or of its one picture, lossy or not.
+Expected<ImageHead> look_at_webp(std::span<const std::byte> bytes) {
+    constexpr std::size_t kHead = 30;
+    constexpr std::uint32_t kStart = 0x2A019D;   // of a lossy picture
+    constexpr std::uint32_t kPlainStart = 0x2F;  // of another
+    constexpr std::uint32_t kSide = 0x3FFF;
+    constexpr std::uint32_t kMoves = 2;
+    const auto head = [](std::uint32_t width, std::uint32_t height) {
+        return ImageHead{.format = ImageFormat::webp,
+                         .width = static_cast<int>(width),
+                         .height = static_cast<int>(height)};
+    };
+    const auto chunk = bytes.subspan(std::min<std::size_t>(bytes.size(), 12));
+    if (begins_with(chunk, "VP8X") && bytes.size() >= kHead) {
+        if ((little_endian(bytes, 20, 1) & kMoves) != 0) {
+            return fail("a moving WebP");
+        }
+        return head(little_endian(bytes, 24, 3) + 1, little_endian(bytes, 27, 3) + 1);
+    }
+    if (begins_with(chunk, "VP8L") && bytes.size() >= 25 &&
+        little_endian(bytes, 20, 1) == kPlainStart) {
+        const std::uint32_t sides = little_endian(bytes, 21, 4);
+        return head((sides & kSide) + 1, ((sides >> 14U) & kSide) + 1);
+    }
+    if (begins_with(chunk, "VP8 ") && bytes.size() >= kHead &&
+        little_endian(bytes, 23, 3) == kStart) {
+        return head(little_endian(bytes, 26, 2) & kSide, little_endian(bytes, 28, 2) & kSide);
+    }
+    return fail("a WebP that is cut or broken");
 }
 
 /// Whether all chunks of a PNG are there, up to its end.
@@ -131,7 +170,9 @@ Expected<ImageHead> look_at_image(std::span<const std::byte> packed) {
     return head;
 }
 
-Expected<Image> decode_image(std::span<const std::byte> packed, int halvings) {
+Expected<Image> decode_image(ModelUnpacker& unpacker,
+                             std::span<const std::byte> packed,
+                             int halvings) {
     const auto head = look_at_image(packed);
     if (!head) {
         return fail(head.error());
@@ -139,11 +180,15 @@ Expected<Image> decode_image(std::span<const std::byte> packed, int halvings) {
     Image image{.width = head->width, .height = head->height, .pixels = {}};
     image.pixels.resize(static_cast<std::size_t>(image.width) *
                         static_cast<std::size_t>(image.height) * 4);
-    constexpr bool (*kUnpack[])(std::span<const std::byte>, Image&, CodecFault&) = {
-        unpack_png, unpack_jpeg, unpack_webp};
-    CodecFault fault;
-    if (!kUnpack[static_cast<std::size_t>(head->format)](packed, image, fault)) {
-        return fail(fmt::format("cannot be unpacked: {}", fault.text.data()));
+    constexpr std::array<PackedKind, 3> kKinds = {
+        PackedKind::png, PackedKind::jpeg, PackedKind::webp};
+    const UnpackRequest what{.kind = kKinds[static_cast<std::size_t>(head->format)],
+                             .row_bytes = static_cast<std::uint32_t>(image.width) * 4,
+                             .rows = static_cast<std::uint64_t>(image.height)};
+    if (const auto done =
+            unpacker.unpack(what, packed, std::as_writable_bytes(std::span(image.pixels)));
+        !done) {
+        return fail(fmt::format("cannot be unpacked: {}", done.error().message));
     }
     for (int i = 0; i < halvings && (image.width > 1 || image.height > 1); ++i) {
         image = halved(image);

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "render/import/model_unpacker.hpp"
 #include "render/model/image.hpp"
 
 /// Pictures of unknown origin: PNG, JPEG, WebP. What a head claims is checked before anything is
-/// unpacked; what a library's error handler would jump out of stays inside. Threads: any.
-/// Real-time: no.
+/// unpacked, in a process of its own. Threads: any. Real-time: no.
 namespace raks::render {
 
 inline constexpr int kLargestImageSide = 8192;  ///< pixels
@@ -27,8 +27,10 @@ struct ImageHead {
 /// above kLargestImageSide, moving pictures.
 [[nodiscard]] Expected<ImageHead> look_at_image(std::span<const std::byte> packed);
 
-/// Unpacks. `halvings`: so many times each side is halved, by the mean of four pixels (never below
-/// 1). Errors: as look_at_image; what the library says of broken bytes.
-[[nodiscard]] Expected<Image> decode_image(std::span<const std::byte> packed, int halvings = 0);
+/// Unpacks, by `unpacker`. `halvings`: so many times each side is halved, by the mean of four
+/// pixels (never below 1). Errors: as look_at_image and ModelUnpacker::unpack.
+[[nodiscard]] Expected<Image> decode_image(ModelUnpacker& unpacker,
+                                           std::span<const std::byte> packed,
+                                           int halvings = 0);
 
 }  // namespace raks::render

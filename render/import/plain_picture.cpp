@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "render/import/image.hpp"
-#include "render/import/image_codecs.hpp"
 #include "render/import/plain_bytes.hpp"
+#include "render/import/png_packer.hpp"
 
 namespace raks::render {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/import/image_codecs.hpp"
+#include "render/import/png_packer.hpp"
 
 namespace raks::apps {
 namespace {

@@ -76,6 +76,11 @@ std::span<const Reader> readers() {
          {"tests/data/avatars/derived_kenney_character.3ds"},
          2000,
          Content::bytes},
+        {"packed_picture",
+         read_packed_picture,
+         {"tests/data/avatars/Textures/colormap.png"},
+         500,
+         Content::bytes},
         {"plain_picture", read_plain_picture_file, {}, 2000, Content::bytes},
     };
     return all;

@@ -77,6 +77,7 @@ bool read_moves_file(std::string_view text);           ///< `moved.tsv`; and wri
 bool read_edits_file(std::string_view text);           ///< of tracks
 bool read_model_file(std::string_view text);           ///< glTF and VRM; and unpacks its pictures
 bool read_tds_file(std::string_view bytes);            ///< 3DS; the same
+bool read_packed_picture(std::string_view bytes);      ///< PNG, JPEG or WebP
 bool read_plain_picture_file(std::string_view bytes);  ///< BMP or TGA
 bool read_foreign_text(std::string_view bytes);        ///< FBX, Collada, OBJ, before assimp reads
 

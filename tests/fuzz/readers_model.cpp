@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/time.hpp"
+#include "engine/unpack/unpackers.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/skin_vertices.hpp"
@@ -191,6 +192,22 @@ void move(const render::Model& model) {
     }
 }
 
+/// Unpacks a picture as raks-unpack does it, but in this process and without a cage.
+bool unpack_here(std::span<const std::byte> packed) {
+    const auto head = render::look_at_image(packed);
+    if (!head) {
+        promise(head.error().message.find('\n') == std::string::npos);
+        return false;
+    }
+    constexpr render::PackedKind kKinds[] = {
+        render::PackedKind::png, render::PackedKind::jpeg, render::PackedKind::webp};
+    const render::UnpackRequest what{.kind = kKinds[static_cast<std::size_t>(head->format)],
+                                     .row_bytes = static_cast<std::uint32_t>(head->width) * 4,
+                                     .rows = static_cast<std::uint64_t>(head->height)};
+    std::vector<std::byte> pixels(static_cast<std::size_t>(what.rows * what.row_bytes));
+    return engine::unpack(what, packed, pixels).has_value();
+}
+
 bool read_model_named(const char* name, std::string_view text) {
     const auto model = render::read_model(
         std::as_bytes(std::span(text.data(), text.size())), name, render::SideFiles());
@@ -211,7 +228,7 @@ bool read_model_named(const char* name, std::string_view text) {
     }
     for (const render::ModelImage& image : model->images) {
         if (!image.packed.empty()) {
-            static_cast<void>(render::decode_image(image.packed, image.halvings));
+            static_cast<void>(unpack_here(image.packed));
         }
     }
     return true;
@@ -223,6 +240,10 @@ bool read_model_named(const char* name, std::string_view text) {
 bool read_model_file(std::string_view text) { return read_model_named("x.vrm", text); }
 
 bool read_tds_file(std::string_view bytes) { return read_model_named("x.3ds", bytes); }
+
+bool read_packed_picture(std::string_view bytes) {
+    return unpack_here(std::as_bytes(std::span(bytes.data(), bytes.size())));
+}
 
 bool read_plain_picture_file(std::string_view bytes) {
     const auto file = std::as_bytes(std::span(bytes.data(), bytes.size()));

@@ -41,10 +41,15 @@ std::array<int, 4> pixel(const Image& image, int x, int y) {
     return {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2], image.pixels[at + 3]};
 }
 
-TEST(ModelImages, of_every_kind_become_the_same_pixels) {
+class ModelImages : public testing::Test {
+ protected:
+    ModelUnpacker unpacker;
+};
+
+TEST_F(ModelImages, of_every_kind_become_the_same_pixels) {
     for (const char* const depth : {"8", "16"}) {
         SCOPED_TRACE(depth);
-        const auto image = decode_image(bytes_of(picture("a.png", {"-depth", depth})));
+        const auto image = decode_image(unpacker, bytes_of(picture("a.png", {"-depth", depth})));
         ASSERT_TRUE(image) << image.error().message;
         EXPECT_EQ(image->width, 40);
         EXPECT_EQ(image->height, 24);
@@ -53,29 +58,49 @@ TEST(ModelImages, of_every_kind_become_the_same_pixels) {
     }
 }
 
-TEST(ModelImages, that_are_interlaced_or_progressive_are_read) {
-    const auto png = decode_image(bytes_of(picture("a.png", {"-interlace", "PNG"})));
+TEST_F(ModelImages, that_are_interlaced_or_progressive_are_read) {
+    const auto png = decode_image(unpacker, bytes_of(picture("a.png", {"-interlace", "PNG"})));
     ASSERT_TRUE(png) << png.error().message;
     EXPECT_EQ(pixel(*png, 3, 3), (std::array<int, 4>{255, 0, 0, 255}));
-    const auto jpeg =
-        decode_image(bytes_of(picture("a.jpg", {"-interlace", "JPEG", "-quality", "95"})));
+    const auto jpeg = decode_image(
+        unpacker, bytes_of(picture("a.jpg", {"-interlace", "JPEG", "-quality", "95"})));
     ASSERT_TRUE(jpeg) << jpeg.error().message;
     EXPECT_NEAR(pixel(*jpeg, 3, 3)[0], 255, 4);
     EXPECT_EQ(pixel(*jpeg, 3, 3)[3], 255);
 }
 
-TEST(ModelImages, are_halved_by_the_mean_of_four_pixels) {
-    const auto half = decode_image(bytes_of(picture("a.png")), 1);
+TEST_F(ModelImages, that_are_webp_have_their_size_in_their_head) {
+    struct Case {
+        const char* name;
+        std::vector<std::string> options;
+    };
+    // Lossy with opacity (VP8X), lossy without (VP8 ), not lossy (VP8L).
+    for (const Case& one : {Case{"a.webp", {}},
+                            Case{"a.webp", {"-alpha", "off"}},
+                            Case{"a.webp", {"-define", "webp:lossless=true"}}}) {
+        const std::string webp = picture(one.name, one.options);
+        const auto head = look_at_image(bytes_of(webp));
+        ASSERT_TRUE(head) << head.error().message;
+        EXPECT_EQ(head->width, 40);
+        EXPECT_EQ(head->height, 24);
+        const auto image = decode_image(unpacker, bytes_of(webp));
+        ASSERT_TRUE(image) << image.error().message;
+        EXPECT_NEAR(pixel(*image, 3, 3)[0], 255, 8);
+    }
+}
+
+TEST_F(ModelImages, are_halved_by_the_mean_of_four_pixels) {
+    const auto half = decode_image(unpacker, bytes_of(picture("a.png")), 1);
     ASSERT_TRUE(half);
     EXPECT_EQ(half->width, 20);
     EXPECT_EQ(half->height, 12);
     EXPECT_EQ(pixel(*half, 15, 11), (std::array<int, 4>{0, 0, 255, 128}));
-    const auto least = decode_image(bytes_of(picture("a.png")), 30);
+    const auto least = decode_image(unpacker, bytes_of(picture("a.png")), 30);
     ASSERT_TRUE(least);
     EXPECT_EQ(least->width, 1);
 }
 
-TEST(ModelImages, that_claim_too_much_are_refused_by_their_head) {
+TEST_F(ModelImages, that_claim_too_much_are_refused_by_their_head) {
     std::string png = picture("a.png");
     png[16] = '\x7F';
     const auto head = look_at_image(bytes_of(png));
@@ -85,15 +110,15 @@ TEST(ModelImages, that_claim_too_much_are_refused_by_their_head) {
     EXPECT_FALSE(look_at_image({}));
 }
 
-TEST(ModelImages, survive_cuts_and_damage) {
-    for (const std::string& good : {picture("a.png"), picture("a.jpg")}) {
+TEST_F(ModelImages, survive_cuts_and_damage) {
+    for (const std::string& good : {picture("a.png"), picture("a.jpg"), picture("a.webp")}) {
         ASSERT_FALSE(good.empty());
         for (std::size_t size = 0; size < good.size(); ++size) {
-            (void)decode_image(bytes_of(good.substr(0, size)));
+            (void)decode_image(unpacker, bytes_of(good.substr(0, size)));
         }
         for (std::uint64_t seed = 0; seed < 500; ++seed) {
             const std::string bad = test::mangled(good, {.seed = seed, .bytes = 1 + seed % 4});
-            const auto image = decode_image(bytes_of(bad));
+            const auto image = decode_image(unpacker, bytes_of(bad));
             ASSERT_TRUE(image || !image.error().message.empty());
         }
     }

@@ -135,11 +135,12 @@ TEST(PlainPictures, grey_and_two_colours_are_read) {
 }
 
 TEST(PlainPictures, become_png_of_the_same_pixels) {
+    ModelUnpacker unpacker;
     for (const Kind& kind : kinds()) {
         const std::string& file = written(kind);
         const auto png = png_of_plain_picture(bytes_of(file));
         ASSERT_TRUE(png) << png.error().message;
-        const auto image = decode_image(*png);
+        const auto image = decode_image(unpacker, *png);
         ASSERT_TRUE(image) << image.error().message;
         EXPECT_EQ(image->pixels, read_plain_picture(bytes_of(file))->pixels);
     }

@@ -13,7 +13,8 @@ Picture read_picture(const std::filesystem::path& path) {
     if (!bytes) {
         return {};
     }
-    const auto image = render::decode_image(std::as_bytes(std::span(*bytes)));
+    render::ModelUnpacker unpacker;
+    const auto image = render::decode_image(unpacker, std::as_bytes(std::span(*bytes)));
     if (!image) {
         return {};
     }

@@ -1,4 +1,4 @@
-#include "render/import/image_codecs.hpp"
+#include "engine/unpack/image_codecs.hpp"
 
 #include <cstdio>  // jpeglib.h needs it before
 
@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
-#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/import/image.hpp"
 
 // libpng and libjpeg leave by longjmp. Each jump here ends in the function that called the library,
 // which holds nothing with a destructor: what must be freed is the caller's.
-#include <string_view>
-
-namespace raks::render {
+namespace raks::engine {
 namespace {
 
 /// Chunks of a PNG that are no picture (text, profiles) may take so much.
@@ -28,6 +29,12 @@ void keep(CodecFault& fault, const char* text) {
     const std::size_t kept = std::min(said.size(), fault.text.size() - 1);
     std::copy_n(said.begin(), kept, fault.text.begin());
     fault.text[kept] = 0;
+}
+
+/// A line of the pixels, as the libraries want it.
+unsigned char* line_of(const PictureRoom& room, std::size_t y) {
+    return reinterpret_cast<unsigned char*>(
+        room.pixels.subspan(y * static_cast<std::size_t>(room.width) * 4).data());
 }
 
 // ---- PNG
@@ -107,7 +114,7 @@ bool read_jpeg(jpeg_decompress_struct& jpeg,
                JpegErrors& errors,
                jpeg_progress_mgr& progress,
                std::span<const std::byte> packed,
-               Image& image) {
+               const PictureRoom& room) {
     if (setjmp(errors.leave) != 0) {
         return false;
     }
@@ -117,14 +124,13 @@ bool read_jpeg(jpeg_decompress_struct& jpeg,
     jpeg_read_header(&jpeg, TRUE);
     jpeg.out_color_space = JCS_EXT_RGBA;
     jpeg_start_decompress(&jpeg);
-    if (jpeg.output_width != static_cast<JDIMENSION>(image.width) ||
-        jpeg.output_height != static_cast<JDIMENSION>(image.height)) {
+    if (jpeg.output_width != static_cast<JDIMENSION>(room.width) ||
+        jpeg.output_height != static_cast<JDIMENSION>(room.height)) {
         keep(*errors.fault, "of another size than its head says");
         return false;
     }
     while (jpeg.output_scanline < jpeg.output_height) {
-        JSAMPROW row = image.pixels.data() + std::size_t{jpeg.output_scanline} *
-                                                 static_cast<std::size_t>(image.width) * 4;
+        JSAMPROW row = line_of(room, jpeg.output_scanline);
         jpeg_read_scanlines(&jpeg, &row, 1);
     }
     jpeg_finish_decompress(&jpeg);
@@ -133,11 +139,11 @@ bool read_jpeg(jpeg_decompress_struct& jpeg,
 
 }  // namespace
 
-bool unpack_png(std::span<const std::byte> packed, Image& image, CodecFault& fault) {
-    const std::size_t row_bytes = static_cast<std::size_t>(image.width) * 4;
-    std::vector<png_bytep> rows(static_cast<std::size_t>(image.height));
+bool unpack_png(std::span<const std::byte> packed, const PictureRoom& room, CodecFault& fault) {
+    const std::size_t row_bytes = static_cast<std::size_t>(room.width) * 4;
+    std::vector<png_bytep> rows(static_cast<std::size_t>(room.height));
     for (std::size_t y = 0; y < rows.size(); ++y) {
-        rows[y] = image.pixels.data() + y * row_bytes;
+        rows[y] = line_of(room, y);
     }
     PngSource source{packed.data(), packed.size()};
     png_structp png =
@@ -149,14 +155,14 @@ bool unpack_png(std::span<const std::byte> packed, Image& image, CodecFault& fau
         return false;
     }
     png_set_read_fn(png, &source, read_png_bytes);
-    png_set_user_limits(png, kLargestImageSide, kLargestImageSide);
+    png_set_user_limits(png, render::kLargestImageSide, render::kLargestImageSide);
     png_set_chunk_malloc_max(png, kLargestPngChunk);
     const bool is_good = read_png(png, info, rows.data(), row_bytes);
     png_destroy_read_struct(&png, &info, nullptr);
     return is_good;
 }
 
-bool unpack_jpeg(std::span<const std::byte> packed, Image& image, CodecFault& fault) {
+bool unpack_jpeg(std::span<const std::byte> packed, const PictureRoom& room, CodecFault& fault) {
     JpegErrors errors{};
     jpeg_decompress_struct jpeg{};
     jpeg_progress_mgr progress{};
@@ -165,53 +171,25 @@ bool unpack_jpeg(std::span<const std::byte> packed, Image& image, CodecFault& fa
     errors.manager.emit_message = on_jpeg_message;
     errors.fault = &fault;
     progress.progress_monitor = on_jpeg_progress;
-    const bool is_good = read_jpeg(jpeg, errors, progress, packed, image);
+    const bool is_good = read_jpeg(jpeg, errors, progress, packed, room);
     jpeg_destroy_decompress(&jpeg);
     return is_good;
 }
 
-bool unpack_webp(std::span<const std::byte> packed, Image& image, CodecFault& fault) {
-    const bool is_good = WebPDecodeRGBAInto(reinterpret_cast<const std::uint8_t*>(packed.data()),
-                                            packed.size(),
-                                            image.pixels.data(),
-                                            image.pixels.size(),
-                                            image.width * 4) != nullptr;
+bool unpack_webp(std::span<const std::byte> packed, const PictureRoom& room, CodecFault& fault) {
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(packed.data());
+    int width = 0;
+    int height = 0;
+    // A smaller picture would leave a part of the room as it is.
+    const bool is_good =
+        WebPGetInfo(bytes, packed.size(), &width, &height) != 0 && width == room.width &&
+        height == room.height &&
+        WebPDecodeRGBAInto(
+            bytes, packed.size(), line_of(room, 0), room.pixels.size(), room.width * 4) != nullptr;
     if (!is_good) {
         keep(fault, "broken WebP");
     }
     return is_good;
 }
 
-Expected<std::vector<std::byte>> pack_png(const Image& image) {
-    png_image head{};
-    head.version = PNG_IMAGE_VERSION;
-    head.width = static_cast<png_uint_32>(image.width);
-    head.height = static_cast<png_uint_32>(image.height);
-    head.format = PNG_FORMAT_RGBA;
-    head.flags = PNG_IMAGE_FLAG_FAST;
-    // As libpng counts: whatever the pixels are, they have room.
-    std::vector<std::byte> packed(PNG_IMAGE_PNG_SIZE_MAX(head));
-    png_alloc_size_t size = packed.size();
-    if (png_image_write_to_memory(
-            &head, packed.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
-        return fail(std::string("cannot be packed as PNG: ") + head.message);
-    }
-    packed.resize(size);
-    return packed;
-}
-
-Expected<ImageHead> look_at_webp(std::span<const std::byte> packed) {
-    WebPBitstreamFeatures features{};
-    if (WebPGetFeatures(reinterpret_cast<const std::uint8_t*>(packed.data()),
-                        packed.size(),
-                        &features) != VP8_STATUS_OK) {
-        return fail("a WebP that is cut or broken");
-    }
-    if (features.has_animation != 0) {
-        return fail("a moving WebP");
-    }
-    return ImageHead{
-        .format = ImageFormat::webp, .width = features.width, .height = features.height};
-}
-
-}  // namespace raks::render
+}  // namespace raks::engine
