@@ -26,6 +26,8 @@ struct DecoderInput {
     /// no damage.
     bool is_complete = false;
     bool is_cut = false;  ///< ends within a packet
+    /// Its time stamps lie a little beside its packets: these follow each other without a break.
+    bool has_loose_stamps = false;
 };
 
 /// By libsndfile: WAV, AIFF, FLAC, Ogg Vorbis, Opus and its other formats, but not MP3.

@@ -93,9 +93,10 @@ Expected<AudioFileReaderPtr> open_by_either(const DecoderInput& input) {
     return second ? std::move(second) : std::move(reader);
 }
 
-// FFmpeg knows the time of each page, so that it can tell where some are missing.
+// FFmpeg knows the time of each page, so that it can tell where some are missing; and libsndfile
+// (1.2.0) throws a packet of Opus away where a granule position is too small for it.
 Expected<AudioFileReaderPtr> open_ogg_link(const DecoderInput& input, const OggLink& link) {
-    if (!link.has_hole) {
+    if (!link.has_hole && !link.has_loose_stamps) {
         return open_by_either(input);
     }
     auto reader = open_by_ffmpeg(input);
@@ -110,6 +111,7 @@ Expected<AudioFileReaderPtr> open_ogg(const fs::path& path, const FileWindow& wi
     std::vector<DecoderInput> inputs;
     for (const OggLink& link : pages.links) {
         inputs.push_back({path, window.part(link.begin, link.end)});
+        inputs.back().has_loose_stamps = link.has_loose_stamps && !link.has_hole;
     }
     inputs.back().is_cut = pages.is_cut;
     if (inputs.size() == 1) {

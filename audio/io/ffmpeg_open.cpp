@@ -252,6 +252,7 @@ void FfmpegReader::prepare_time_line(std::int64_t first_stamp) {
     TimeLineRules rules{.unit = stream_->time_base, .rate = info_.rate.hertz()};
     if (stamped != kStamped.end()) {
         rules.are_from_file = true;
+        rules.is_jitter_left_out = input_.has_loose_stamps;
         rules.least_jump = std::llround(stamped->least_jump * rate);
         rules.longest_gap =
             std::llround((stamped->may_begin_anew ? kLongestJoint : kLongestGap) * rate);

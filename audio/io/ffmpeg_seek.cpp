@@ -25,11 +25,14 @@ constexpr std::int64_t kMostToRead = 256 << 20U;  // bytes of a file that is rea
 // Chooses the way to a frame. Formats without an index make FFmpeg guess from the bit rate, so
 // their small packets are read up to it without decoding (about 1 ms a minute of sound). Where time
 // stamps are coarse and frames differ in length, as in Vorbis, only decoding from the start counts
-// exactly. Behind a gap coarse stamps are exact only when the gap was met, so files that are not
-// very large are read as well.
+// exactly. Where stamps lie beside their packets, these are counted. Behind a gap coarse stamps are
+// exact only when the gap was met, so files that are not very large are read as well.
 FfmpegReader::SeekMethod FfmpegReader::seek_method() const {
     const std::string_view name = container_->iformat->name;
     if (name == "mp3" || name == "aac" || name == "ac3" || name == "mpegts" || name == "mpeg") {
+        return SeekMethod::reading;
+    }
+    if (input_.has_loose_stamps) {
         return SeekMethod::reading;
     }
     if (!line_.is_coarse()) {

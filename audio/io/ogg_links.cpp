@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "audio/io/head_bytes.hpp"
+#include "audio/io/opus_stamps.hpp"
 
 namespace raks::audio {
 namespace {
@@ -17,6 +18,7 @@ constexpr std::size_t kHeadBytes = 27;  // of a page, before its table of segmen
 constexpr std::size_t kMostPageBytes = 27 + 255 + 255 * 255;
 constexpr std::size_t kMostLinks = 4096;
 constexpr unsigned kIsFirstPage = 2;  // bit of a page's flags: a stream begins
+constexpr unsigned kIsLastPage = 4;   // bit of a page's flags: a stream ends
 constexpr std::string_view kMark = "OggS";
 
 // CRC-32 of Ogg: polynomial 0x04c11db7, not reflected, from 0.
@@ -47,8 +49,12 @@ std::uint32_t check_sum_of(std::string_view page) {
 struct OggPage {
     std::size_t size = 0;  // bytes; may be more than there are
     bool is_first = false;
+    bool is_last = false;
+    std::int64_t granule = -1;  // -1: no packet ends here
     std::uint32_t stream = 0;
     std::uint32_t number = 0;
+    std::string_view segments;  // their lengths, a byte each
+    std::string_view body;      // what there is of it
 };
 
 std::optional<OggPage> page_at(std::string_view bytes) {
@@ -61,10 +67,14 @@ std::optional<OggPage> page_at(std::string_view bytes) {
     if (bytes.size() < page.size) {
         return std::nullopt;
     }
-    for (const char length : bytes.substr(kHeadBytes, segments)) {
+    page.segments = bytes.substr(kHeadBytes, segments);
+    for (const char length : page.segments) {
         page.size += static_cast<unsigned char>(length);
     }
+    page.body = bytes.substr(0, page.size).substr(kHeadBytes + segments);
     page.is_first = (static_cast<unsigned char>(bytes[5]) & kIsFirstPage) != 0;
+    page.is_last = (static_cast<unsigned char>(bytes[5]) & kIsLastPage) != 0;
+    page.granule = static_cast<std::int64_t>(number_at(bytes, 6, 8, ByteOrder::little));
     page.stream = static_cast<std::uint32_t>(number_at(bytes, 14, 4, ByteOrder::little));
     page.number = static_cast<std::uint32_t>(number_at(bytes, 18, 4, ByteOrder::little));
     return page;
@@ -86,6 +96,7 @@ class LinkSorter {
         if (begins && pages_.links.size() < kMostLinks) {
             pages_.links.push_back({.begin = at, .end = at});
             next_numbers_.clear();
+            opus_.clear();
         }
         was_first_ = page.is_first;
         if (pages_.links.empty()) {
@@ -97,6 +108,7 @@ class LinkSorter {
         link.has_hole =
             link.has_hole || (next != next_numbers_.end() && next->second != page.number);
         next_numbers_[page.stream] = page.number + 1;
+        follow_opus(page, link);
     }
 
     // Bytes that are no page lie between pages.
@@ -107,9 +119,20 @@ class LinkSorter {
     }
 
  private:
+    void follow_opus(const OggPage& page, OggLink& link) {
+        if (page.is_first && page.body.starts_with("OpusHead")) {
+            opus_[page.stream] = {};
+        }
+        if (const auto stamps = opus_.find(page.stream); stamps != opus_.end()) {
+            stamps->second.add({page.granule, page.is_last, page.segments, page.body});
+            link.has_loose_stamps = link.has_loose_stamps || !stamps->second.agree();
+        }
+    }
+
     OggPages& pages_;
     bool was_first_ = false;
     std::map<std::uint32_t, std::uint32_t> next_numbers_;  // of each stream's pages
+    std::map<std::uint32_t, OpusStamps> opus_;             // of the link's Opus streams
 };
 
 }  // namespace

@@ -13,6 +13,9 @@ struct OggLink {
     std::int64_t begin = 0;
     std::int64_t end = 0;
     bool has_hole = false;  ///< a page is missing or damaged
+    /// Opus whose granule positions do not agree with its packets (OpusStamps), though all are
+    /// there.
+    bool has_loose_stamps = false;
 };
 
 /// What the pages of an Ogg file say.

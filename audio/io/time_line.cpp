@@ -61,6 +61,10 @@ TimeLine::Place TimeLine::place(std::int64_t stamp, std::int64_t frames) noexcep
                          ? Step::restart
                          : (jump > 0 ? Step::gap : Step::overlap);
     }
+    const bool is_jitter = has_previous_ && place.step == Step::goes_on;
+    if (is_jitter && rules_.is_jitter_left_out) {
+        position = expected_;
+    }
     if (place.step == Step::restart) {
         shift_ += expected_ - position;
         position = expected_;

@@ -16,6 +16,9 @@ struct TimeLineRules {
     /// Do time stamps come from the file, so that a jump means something? Else they are taken as
     /// they are.
     bool are_from_file = false;
+    /// Are smaller jumps than least_jump no places at all? Then each frame is placed right behind
+    /// the one before.
+    bool is_jitter_left_out = false;
     std::int64_t least_jump = 960;           ///< smaller ones are jitter and rounding
     std::int64_t longest_gap = 172'800'000;  ///< longer ones are wrong time stamps
     std::int64_t longest_overlap = 48'000;   ///< more means that the time stamps begin anew
