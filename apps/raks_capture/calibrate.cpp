@@ -164,7 +164,7 @@ Expected<void> keep_choices(const CapturePlan& plan, CalibrationChoices choices)
 
 // The cameras of another program's file become the capture's.
 ExitCode take_rig(const CapturePlan& plan,
-                  const CalibrateArguments& arguments,
+                  const CalibrationArguments& arguments,
                   const Path& output) {
     capture::RigReading reading;
     if (!arguments.unit.empty()) {
@@ -200,7 +200,7 @@ ExitCode take_rig(const CapturePlan& plan,
 
 }  // namespace
 
-ExitCode calibrate(const CalibrateArguments& arguments) {
+ExitCode calibrate(const CalibrationArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
         return fail(plan.error());

@@ -77,7 +77,7 @@ void add_board(CommandTable& table) {
 }
 
 void add_calibrate(CommandTable& table) {
-    const auto [app, arguments] = table.add<CalibrateArguments>(
+    const auto [app, arguments] = table.add<CalibrationArguments>(
         table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");

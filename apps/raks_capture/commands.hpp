@@ -63,7 +63,7 @@ struct BoardArguments {
 [[nodiscard]] ExitCode draw_board(const BoardArguments& arguments);
 
 /// Arguments of `raks capture calibrate`.
-struct CalibrateArguments {
+struct CalibrationArguments {
     Path folder;
     Path output;  ///< empty: rig.toml of the folder
     CalibrationChoices choices;
@@ -74,7 +74,7 @@ struct CalibrateArguments {
 };
 /// Finds lenses and places of the cameras by a board. Errors: films that show it too seldom;
 /// files.
-[[nodiscard]] ExitCode calibrate(const CalibrateArguments& arguments);
+[[nodiscard]] ExitCode calibrate(const CalibrationArguments& arguments);
 
 /// Arguments of `raks capture sync`.
 struct SyncArguments {

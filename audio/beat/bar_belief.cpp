@@ -9,7 +9,7 @@ namespace {
 constexpr float kLevelShare = 0.1F;        // of a beat in the running level of each band
 constexpr float kStatisticsShare = 0.06F;  // of a beat in mean and variance of the change
 constexpr float kCompression = 4.0F;       // log(1 + 4 x magnitude / level)
-constexpr float kSilentLevel = 1e-9F;      // digital silence has no level
+constexpr float kQuietestLevel = 1e-9F;    // digital silence has no level
 constexpr int kFirstBeats = 4;             // beats before the statistics are used
 constexpr float kMost = 3.0F;              // standard deviations
 
@@ -39,7 +39,7 @@ float BeatChange::next_beat() noexcept RAKS_NONBLOCKING {
     for (std::size_t i = 0; i < sum_.size(); ++i) {
         const float mean = sum_[i] / static_cast<float>(hops_);
         level_[i] += (beats_ == 0 ? 1.0F : kLevelShare) * (mean - level_[i]);
-        const float now = std::log1p(kCompression * mean / (level_[i] + kSilentLevel));
+        const float now = std::log1p(kCompression * mean / (level_[i] + kQuietestLevel));
         change += std::abs(now - before_[i]) / static_cast<float>(sum_.size());
         before_[i] = now;
     }
@@ -53,7 +53,7 @@ float BeatChange::next_beat() noexcept RAKS_NONBLOCKING {
     const float share = std::max(kStatisticsShare, 1.0F / static_cast<float>(beats_ - 1));
     // Against the statistics before this beat: it must not excuse itself.
     const float apart = change - mean_;
-    const float deviation = std::sqrt(variance_) + kSilentLevel;
+    const float deviation = std::sqrt(variance_) + kQuietestLevel;
     mean_ += share * apart;
     variance_ += share * (apart * (change - mean_) - variance_);
     return beats_ < kFirstBeats ? 0.0F : std::clamp(apart / deviation, -kMost, kMost);
