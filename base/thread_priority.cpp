@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -15,8 +16,9 @@
 namespace raks {
 namespace {
 
-// Below JACK's own threads (70 and more) and above everything that is ordinary.
-constexpr std::array kPriorities = {50, 55, 58};  // in the order of RealtimeThread
+// Below JACK's clients (5, where Debian starts the server at 10) and PulseAudio's server (5), and
+// above everything that is ordinary. In the order of RealtimeThread.
+constexpr std::array kPriorities = {2, 3, 4};
 constexpr std::array kNames = {"raks-motion", "raks-audio", "raks-transport"};  // likewise
 // PulseAudio's own choice where real time is refused.
 constexpr int kPreferredNice = -11;
@@ -24,10 +26,15 @@ constexpr int kBehindNice = 10;
 
 }  // namespace
 
-bool prefer_this_thread(RealtimeThread kind) noexcept {
+bool prefer_this_thread(RealtimeThread kind, int below) noexcept {
     pthread_setname_np(pthread_self(), kNames[static_cast<std::size_t>(kind)]);
     sched_param parameters{};
-    parameters.sched_priority = kPriorities[static_cast<std::size_t>(kind)];
+    parameters.sched_priority = std::min(kPriorities[static_cast<std::size_t>(kind)], below - 1);
+    if (parameters.sched_priority < 1) {
+        parameters.sched_priority = 0;
+        pthread_setschedparam(pthread_self(), SCHED_OTHER, &parameters);
+        return false;
+    }
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ||
            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kPreferredNice) == 0;
 }

@@ -9,6 +9,7 @@
 #include "audio/io/stream_callback.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
+#include "base/thread_priority.hpp"
 #include "base/time.hpp"
 
 namespace raks::audio {
@@ -99,6 +100,10 @@ class DeviceStream {
     /// Scheduling class of the thread that calls back: "SCHED_FIFO", "SCHED_RR", "SCHED_OTHER";
     /// "unknown" before the first block and once the stream is dead.
     [[nodiscard]] std::string scheduling() const;
+    /// The real-time priority of the thread that calls back, where a server gave it one and Raks'
+    /// other threads must stay below it (JACK): 0 for an ordinary one; kAnyPriority where Raks
+    /// chooses it itself.
+    [[nodiscard]] virtual int callback_priority() const { return kAnyPriority; }
     /// Number of blocks that the device lost since the start, as far as it tells.
     [[nodiscard]] std::uint64_t xruns() const noexcept;
     /// False when the server is gone or has closed the stream; with PortAudio when no callback came

@@ -1,6 +1,7 @@
 #include "audio/io/jack_stream.hpp"
 
 #include <jack/jack.h>
+#include <jack/thread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -107,6 +108,10 @@ class JackStream final : public DeviceStream {
         return !line_->is_shut_down.load(std::memory_order_relaxed);
     }
     [[nodiscard]] std::string client_name() const override { return name_; }
+    // -1: the server runs without real time.
+    [[nodiscard]] int callback_priority() const override {
+        return std::max(0, jack_client_real_time_priority(client_.get()));
+    }
 
     // An input follows its client, which may leave and come back. The names of ports are read from
     // memory that the server shares; only connecting asks the server.

@@ -116,6 +116,9 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
     wiring.readers.push_back(for_main_.get());
     motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
+    if (stream_) {
+        motion_->stay_below(stream_->callback_priority());
+    }
     hold_back_dance();
     return {};
 }
@@ -242,6 +245,7 @@ void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& li
     const SampleRate rate = news.stream->rate();
     const auto ready = playback_ ? playback_->prepare(rate) : live_input_->resume(rate);
     stream_ = std::move(news.stream);
+    motion_->stay_below(stream_->callback_priority());
     lines.push_back(
         about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
     set_device(news.device);

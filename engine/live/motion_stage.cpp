@@ -6,7 +6,6 @@
 #include "base/assert.hpp"
 #include "base/realtime.hpp"
 #include "base/sleep_until.hpp"
-#include "base/thread_priority.hpp"
 
 namespace raks::engine {
 
@@ -143,8 +142,14 @@ MotionThread::~MotionThread() {
 // Naps after every tick: the stage publishes at most every 2 ms.
 void MotionThread::run() noexcept {
     // Below sound, above all that is ordinary; without the right it goes on as it is.
-    prefer_this_thread(RealtimeThread::motion);
+    int below = kAnyPriority;
+    prefer_this_thread(RealtimeThread::motion, below);
     while (!is_stopping_.load(std::memory_order_relaxed)) {  // relaxed: see the destructor
+        // Another stream may have another priority.
+        if (const int wanted = below_.load(std::memory_order_relaxed); wanted != below) {
+            below = wanted;
+            prefer_this_thread(RealtimeThread::motion, below);
+        }
         stage_.tick();
         sleep_until(host_now() + kNap);
     }

@@ -13,6 +13,7 @@
 #include "base/channels/latest_value.hpp"
 #include "base/channels/retire_queue.hpp"
 #include "base/music_state.hpp"
+#include "base/thread_priority.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
@@ -150,6 +151,11 @@ class MotionThread {
 
     /// See MotionStage::hold_back. Threads: any.
     void hold_back(std::size_t states) noexcept { stage_.hold_back(states); }
+    /// From the next tick on its priority is below this one: that of the thread that calls back for
+    /// sound (audio::DeviceStream::callback_priority). Threads: any.
+    void stay_below(int priority) noexcept {
+        below_.store(priority, std::memory_order_relaxed);  // relaxed: a wish by itself
+    }
 
     /// Hops danced so far. Threads: any.
     [[nodiscard]] std::int64_t danced_hops() const noexcept { return stage_.danced_hops(); }
@@ -159,6 +165,7 @@ class MotionThread {
 
     MotionStage stage_;
     std::atomic<bool> is_stopping_{false};
+    std::atomic<int> below_{kAnyPriority};
     std::thread thread_;
 };
 

@@ -1,9 +1,12 @@
 // The program on real sound servers: sound leaves by one process and is heard by another.
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -102,9 +105,9 @@ class LiveOnJack : public Live {
         jack_.reset();
         Live::TearDown();
     }
-    void start_server(int rate) {
+    void start_server(int rate, int period = 256, int priority = 70) {
         jack_.reset();
-        jack_.emplace(rate);
+        jack_.emplace(rate, period, priority);
         ASSERT_EQ(jack_->problem(), "") << rate << " Hz";
     }
     [[nodiscard]] ProcessPlan with_jack(std::vector<std::string> arguments) const {
@@ -226,6 +229,50 @@ TEST_F(LiveOnJack, a_client_that_leaves_is_waited_for) {
     const ProcessResult result = raks.wait();
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_GT(level_in(result.err), kHeardDb) << "heard again: " << result.err;
+}
+
+/// The real-time priorities of a process' threads by their names; 0: an ordinary one.
+std::vector<std::pair<std::string, int>> priorities_of(pid_t pid) {
+    std::vector<std::pair<std::string, int>> found;
+    const std::string tasks = "/proc/" + std::to_string(pid) + "/task";
+    for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+        sched_param parameters{};
+        std::string name;
+        std::getline(std::ifstream(task.path() / "comm"), name);
+        if (sched_getparam(std::stoi(task.path().filename()), &parameters) == 0) {
+            found.emplace_back(name, parameters.sched_priority);
+        }
+    }
+    return found;
+}
+
+// Debian starts the server at 10. Whatever Raks does must not hold up another client.
+TEST_F(LiveOnJack, no_thread_of_its_own_comes_before_the_clients_of_the_server) {
+    if (jack_->scheduling() != "SCHED_FIFO") {
+        GTEST_SKIP() << "without the right to SCHED_FIFO";
+    }
+    for (const int server : {10, 7}) {
+        SCOPED_TRACE(server);
+        start_server(48'000, 256, server);
+        const int clients = server - 5;
+        CapturedProcess raks(with_jack({"live", "--headless", "--device", "system"}));
+        ASSERT_TRUE(raks.wait_for_output("listening to"));
+        int motion = -1;
+        int callback = -1;
+        // The motion thread is told by the time that this line comes, and obeys 2 ms later.
+        ASSERT_TRUE(raks.wait_until([&](const ProcessResult&) {
+            motion = -1;
+            callback = -1;
+            for (const auto& [name, priority] : priorities_of(raks.pid())) {
+                motion = name == "raks-motion" ? priority : motion;
+                callback = name != "raks-motion" ? std::max(callback, priority) : callback;
+            }
+            return motion > 0 && motion < clients;
+        })) << motion;
+        EXPECT_EQ(callback, clients) << "JACK's own thread calls back";
+        raks.send(SIGINT);
+        EXPECT_EQ(raks.wait().exit_code, 130);
+    }
 }
 
 nlohmann::json bench_latency_document(const ProcessResult& result) {

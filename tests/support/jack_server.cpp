@@ -27,7 +27,7 @@ bool is_no_server_running() { return exit_code_of({"pgrep", "-x", "jackd|jackdbu
 
 }  // namespace
 
-JackServer::JackServer(int rate, int period) {
+JackServer::JackServer(int rate, int period, int priority) : priority_(priority) {
     static int count = 0;
     name_ = "raks-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
     setenv("JACK_DEFAULT_SERVER", name_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
@@ -59,7 +59,7 @@ JackServer::~JackServer() {
 bool JackServer::start(int rate, int period) {
     std::vector<std::string> command{"jackd", "-n", name_};
     if (scheduling_ == "SCHED_FIFO") {
-        command.insert(command.end(), {"-R", "-P70"});
+        command.insert(command.end(), {"-R", "-P" + std::to_string(priority_)});
     } else {
         command.emplace_back("--no-realtime");
     }

@@ -18,7 +18,8 @@ namespace raks::test {
 ///     jack.connect("raks:out_0", "raks-in:in_0");
 class JackServer {
  public:
-    explicit JackServer(int rate = 48'000, int period = 256);
+    /// `priority`: the server's own, where it is real-time; its clients have five less.
+    explicit JackServer(int rate = 48'000, int period = 256, int priority = 70);
     ~JackServer();
     JackServer(const JackServer&) = delete;
     JackServer& operator=(const JackServer&) = delete;
@@ -40,6 +41,7 @@ class JackServer {
     [[nodiscard]] bool start(int rate, int period);
 
     std::string name_;
+    int priority_;
     std::string scheduling_;
     std::string problem_;
     bool was_killed_ = false;
