@@ -47,7 +47,7 @@ ExitCode live(const LiveArguments& given) {
     }
     say("listening to " + choice->reason);
     // Why it ended does not matter: there is only one source.
-    static_cast<void>((*loop)->run(**graph, {.name = choice->device.name}));
+    static_cast<void>((*loop)->run(**graph, {}));
     // Dances that could not be loaded meanwhile.
     for (const std::string& line : formations.wait()) {
         (*loop)->say(line);
@@ -57,7 +57,7 @@ ExitCode live(const LiveArguments& given) {
     say(fmt::format("tempo {:.1f} BPM, confidence {:.2f}, level {}",
                     grid.tempo.bpm(),
                     grid.confidence,
-                    level_meter((*graph)->analysis().level_dbfs())));
+                    level_meter((*graph)->analysis().level_dbfs(HostClock::now()))));
     return (*graph)->has_lost_device() ? kExitFailed : kExitDone;
 }
 

@@ -149,7 +149,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     carry_over();
     bind(actions);
     if (!window_) {
-        run_headless(source.name);
+        run_headless();
     } else if (window_->run(*this, actions) == engine::WindowEnd::quit) {
         return StageEnd::quit;
     }
@@ -171,13 +171,19 @@ void StageLoop::say_losses(const engine::LiveCounters& lost) const {
     }
 }
 
+// The file, or the device that is listened to now: the server may move it.
+const std::string& StageLoop::source_name() const {
+    return graph_->playback() != nullptr ? source_.name : graph_->device().name;
+}
+
 // The same work as with a window, except for pictures.
-void StageLoop::run_headless(const std::string& source) {
-    ProgressLine status(source);
+void StageLoop::run_headless() {
+    ProgressLine status(source_name());
     while (!is_stop_requested() && !is_finished()) {
         advance(0.0);
+        status.rename(source_name() + (graph_->trouble().empty() ? "" : " (the device is gone)"));
         status.show(fmt::format("{} {:5.1f} BPM",
-                                level_meter(graph_->analysis().level_dbfs()),
+                                level_meter(graph_->analysis().level_dbfs(HostClock::now())),
                                 graph_->stage().music.grid.tempo.bpm()));
         nap(kHeadlessNap);
     }
@@ -437,7 +443,12 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
                               ? "the end   (Space: once more, Q: quit)"
                               : "the end   (Q: quit)";
     }
-    overlay.source = source_.name;
+    if (!graph_->trouble().empty()) {
+        // Stays as long as it is so. Nothing is heard, so that no music state says the level.
+        overlay.message = graph_->trouble();
+        overlay.level_dbfs = graph_->analysis().level_dbfs(HostClock::now());
+    }
+    overlay.source = source_name();
     overlay.has_keys = true;
     overlay.duration = source_.duration;
     if (const engine::Playback* const playback = graph_->playback()) {

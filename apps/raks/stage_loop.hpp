@@ -27,7 +27,7 @@ struct StageSource {
     /// somebody goes back or quits; without a window as `end`.
     enum class Behind { next_file, end, stay };
 
-    std::string name;                               ///< title, file or device
+    std::string name;                               ///< title or file; `live`: empty
     std::optional<double> duration = std::nullopt;  ///< of the file in seconds, where known
     double start = 0.0;                             ///< where in the file it began, in seconds
     Behind behind = Behind::end;                    ///< the file's end
@@ -82,7 +82,8 @@ class StageLoop final : private engine::WindowContent {
     void follow_dance();
 
     void bind(engine::ActionDispatcher& actions);
-    void run_headless(const std::string& source);
+    [[nodiscard]] const std::string& source_name() const;
+    void run_headless();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void select_next_dance();
     void repeat_selected_dance();

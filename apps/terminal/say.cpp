@@ -123,6 +123,8 @@ ProgressLine::ProgressLine(std::string_view what)
 
 ProgressLine::~ProgressLine() { std::fputs(clearing(), lines()); }
 
+void ProgressLine::rename(std::string_view what) { what_ = printable(what, 60); }
+
 void ProgressLine::show(double share) {
     std::string text = fmt::format("{:3.0f} %", 100.0 * share);
     const double gone = seconds_now() - start_seconds_;

@@ -48,6 +48,8 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;  ///< likewise
 
+    /// From the next time on this stands before the progress.
+    void rename(std::string_view what);
     /// Shows `share` done, [0, 1], as a percentage, and how long the rest takes by what the share
     /// has taken.
     void show(double share);

@@ -11,6 +11,9 @@ namespace {
 
 // A meter falls slowly enough to be read: IEC 60268-10 type I, 20 dB in 1.7 s.
 constexpr float kMeterFallPerSecond = 20.0F / 1.7F;
+constexpr float kFloorDbfs = -120.0F;
+// The longest that a device takes for a block, nearly: a meter without sound for longer falls.
+constexpr Nanos kBlockPatience = std::chrono::milliseconds(300);
 
 // RMS level of a block in dBFS; the floor of -120 dBFS keeps silence finite.
 float level_of(std::span<const float> mono) noexcept {
@@ -39,12 +42,21 @@ void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKI
     analyzer_.process(mono, queue_);
     const float seconds = static_cast<float>(mono.size()) / static_cast<float>(rate_.hertz());
     // The meter rises at once and falls at a fixed rate per second of audio, not per block.
-    // relaxed: a meter, written here alone
-    const float fallen =
-        level_dbfs_.load(std::memory_order_relaxed) - seconds * kMeterFallPerSecond;
+    const HostTime now = host_now();
+    const float fallen = level_dbfs(now) - seconds * kMeterFallPerSecond;
+    // relaxed: a meter, written here alone; a reader may see one of the two a block earlier.
     level_dbfs_.store(std::max(level_of(mono), fallen), std::memory_order_relaxed);
+    level_at_ns_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
     // release: pairs with the acquire in taken_until().
     frames_taken_.fetch_add(static_cast<std::int64_t>(mono.size()), std::memory_order_release);
+}
+
+float AnalysisStage::level_dbfs(HostTime now) const noexcept RAKS_NONBLOCKING {
+    // relaxed: see analyze()
+    const Nanos at(level_at_ns_.load(std::memory_order_relaxed));
+    const Nanos still = std::max(now.time_since_epoch() - at - kBlockPatience, Nanos(0));
+    const float fall = static_cast<float>(to_seconds(still)) * kMeterFallPerSecond;
+    return std::max(level_dbfs_.load(std::memory_order_relaxed) - fall, kFloorDbfs);
 }
 
 void AnalysisStage::mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING {

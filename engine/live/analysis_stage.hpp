@@ -76,10 +76,9 @@ class AnalysisStage {
     [[nodiscard]] Nanos delay() const noexcept { return analyzer_.delay(); }
     /// What add_callback_time counted. Threads: any.
     [[nodiscard]] const TimingHistogram& callback_times() const noexcept { return callback_times_; }
-    /// Level for a meter: RMS of a block in dBFS; rises at once and falls slowly. Threads: any.
-    [[nodiscard]] float level_dbfs() const noexcept {
-        return level_dbfs_.load(std::memory_order_relaxed);  // relaxed: a meter
-    }
+    /// Level for a meter: RMS of a block in dBFS; rises at once and falls slowly, also where no
+    /// block comes any more. Threads: any.
+    [[nodiscard]] float level_dbfs(HostTime now) const noexcept RAKS_NONBLOCKING;
     /// Stream time up to which samples were taken. Threads: any.
     [[nodiscard]] StreamTime taken_until() const noexcept RAKS_NONBLOCKING;
 
@@ -111,7 +110,8 @@ class AnalysisStage {
     LatestValue<ClockLine> clock_line_;
     TimingHistogram callback_times_;
     std::atomic<std::int64_t> frames_taken_{0};
-    std::atomic<float> level_dbfs_{-120.0F};
+    std::atomic<float> level_dbfs_{-120.0F};  // at level_at_ns_
+    std::atomic<std::int64_t> level_at_ns_{0};
 };
 
 }  // namespace raks::engine

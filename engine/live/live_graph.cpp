@@ -179,10 +179,11 @@ void LiveGraph::take_events(std::vector<std::string>& lines) {
                 has_said_growth_ = true;
                 break;
             case Kind::source_gone:
-                lines.push_back(
-                    fmt::format("{}: it has left JACK; waiting until it is back", event->id));
+                trouble_ = fmt::format("{}: it has left JACK; waiting until it is back", event->id);
+                lines.push_back(trouble_);
                 break;
             case Kind::source_back:
+                trouble_.clear();
                 lines.push_back(fmt::format("listening to '{}' (JACK) again", event->id));
                 break;
         }
@@ -202,9 +203,10 @@ void LiveGraph::lose_device(std::vector<std::string>& lines) {
         paced_clock_ = std::make_unique<PacedClock>(
             PacedClock::Direction::input, analysis_->rate(), kOwnClockChannels, live_input_->gap());
     }
-    lines.push_back(fmt::format("{}: the device is gone; {} until it is back",
-                                device_.name,
-                                playback_ ? "pausing" : "dancing on without sound"));
+    trouble_ = fmt::format("{}: the device is gone; {} until it is back",
+                           device_.name,
+                           playback_ ? "pausing" : "dancing on without sound");
+    lines.push_back(trouble_);
 }
 
 void LiveGraph::take_news(std::vector<std::string>& lines) {
@@ -250,8 +252,10 @@ void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& li
         about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
     set_device(news.device);
     has_lost_device_ = !ready;
+    trouble_.clear();
     if (!ready) {
-        lines.back() = device_.name + ": " + ready.error().message;
+        trouble_ = device_.name + ": " + ready.error().message;
+        lines.back() = trouble_;
         return;
     }
     stream_->connect(callback());
@@ -261,7 +265,7 @@ void LiveGraph::watch_silence(HostTime now) {
     if (!live_input_ || has_lost_device_ || device_.system != audio::AudioSystemKind::pulse) {
         return;
     }
-    if (analysis_->level_dbfs() > kSilentDbfs) {
+    if (analysis_->level_dbfs(now) > kSilentDbfs) {
         heard_last_ = now;
         has_said_elsewhere_ = false;
     } else if (now - heard_last_ >= kSilentFor && !has_said_elsewhere_) {

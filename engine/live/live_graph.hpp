@@ -78,6 +78,11 @@ class LiveGraph {
     [[nodiscard]] std::vector<std::string> watch(HostTime now);
     /// True while the device is gone.
     [[nodiscard]] bool has_lost_device() const noexcept { return has_lost_device_; }
+    /// What is wrong with the device for as long as it lasts, one line of those of watch(): it is
+    /// gone, or the JACK client that is listened to has left. Empty when nothing is.
+    [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
+    /// The device that sounds or is listened to now, or did last. Without one: a nameless one.
+    [[nodiscard]] const audio::AudioDevice& device() const noexcept { return device_; }
     /// Whether all of the file has left the loudspeaker; false in `live`. Calls after the end tell
     /// how long ago that was: call it with every picture.
     [[nodiscard]] bool is_played_out(HostTime now) noexcept;
@@ -152,6 +157,7 @@ class LiveGraph {
     Nanos latency_offset_{};
     Nanos pose_lead_{};
     bool has_lost_device_ = false;
+    std::string trouble_;
     bool has_said_growth_ = false;
     bool has_said_elsewhere_ = false;  // since there was sound last
     HostTime heard_last_{};            // `live`: when there was sound, or a look around

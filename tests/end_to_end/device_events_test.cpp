@@ -66,6 +66,24 @@ TEST_F(DeviceEvents, live_follows_the_default_and_back) {
     expect_good_end(raks);
 }
 
+TEST_F(DeviceEvents, the_line_of_the_terminal_names_what_is_heard_now_and_that_it_is_gone) {
+    ProcessPlan in_terminal = live();
+    in_terminal.terminal_columns = 120;
+    CapturedProcess raks(in_terminal);
+    ASSERT_TRUE(raks.wait_for_output("\033[KMonitor of Speakers ["));
+    pulse_.set_default_sink("headphones");
+    ASSERT_TRUE(raks.wait_for_output("\033[KMonitor of Headphones ["));
+    pulse_.kill();
+    ASSERT_TRUE(raks.wait_for_output("\033[KMonitor of Headphones (the device is gone) ["));
+    pulse_.restart(48'000);
+    ASSERT_TRUE(raks.wait_for_output("listening to 'Monitor of Speakers' (PulseAudio) now"));
+    const std::size_t so_far = raks.output().err.size();
+    ASSERT_TRUE(raks.wait_until([&](const ProcessResult& read) {
+        return read.err.find("\033[KMonitor of Speakers [", so_far) != std::string::npos;
+    }));
+    expect_good_end(raks);
+}
+
 TEST_F(DeviceEvents, live_stays_where_the_person_named_it) {
     CapturedProcess raks(live({"--device", "Monitor of Speakers", "--duration", "4"}));
     ASSERT_TRUE(raks.wait_for_output("listening to"));

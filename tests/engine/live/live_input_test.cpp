@@ -120,6 +120,20 @@ TEST_F(LiveInputTest, any_number_of_devices_leaves_stream_time_at_the_clock) {
     EXPECT_NEAR(to_seconds(input_->analysis().taken_until() - last_.time), 0.03, 0.03);
 }
 
+TEST_F(LiveInputTest, the_meter_falls_from_the_moment_that_no_sound_comes) {
+    const AnalysisStage& stage = input_->analysis();
+    hear(record_at(48'000), milliseconds(2'000));
+    const float loud = stage.level_dbfs(HostClock::now());
+    ASSERT_GT(loud, -40.0F);
+    miss(milliseconds(1'000));  // of the eight seconds in which the grid runs on
+    // 20 dB in 1.7 s, once a block is overdue.
+    const HostTime now = HostClock::now();
+    const float later = stage.level_dbfs(now + milliseconds(2'000));
+    EXPECT_LT(later, loud - 18.0F);
+    EXPECT_NEAR(stage.level_dbfs(now + milliseconds(3'700)), later - 20.0F, 0.1F);
+    EXPECT_EQ(stage.level_dbfs(now + std::chrono::seconds(60)), -120.0F) << "no lower";
+}
+
 TEST_F(LiveInputTest, after_eight_seconds_without_a_device_there_is_silence) {
     hear(record_at(48'000), milliseconds(4'000));
     miss(milliseconds(7'500));
