@@ -126,8 +126,33 @@ Expected<DeviceChoice> choose_named(Devices devices, Direction direction, std::s
 // One rule of the automatic choice, and its reason for the user.
 struct Preference {
     Match match;
-    const char* why;
+    std::string why;
 };
+
+// `play` goes where `live` listens: both prefer the desktop's sound (PulseAudio, PipeWire), which
+// is what this computer plays, to JACK. But a sink that a server makes up where it has no
+// loudspeaker is heard by nobody.
+bool is_made_up(const AudioDevice& device) {
+    return device.id == "auto_null" || device.id == "auto_null.monitor";
+}
+bool is_monitor(const AudioDevice& device) { return device.is_monitor; }
+bool is_desktop_monitor(const AudioDevice& device) {
+    return device.is_monitor && !is_made_up(device);
+}
+bool is_desktop_output(const AudioDevice& device) {
+    return device.system == AudioSystemKind::pulse && device.is_default_output &&
+           !is_made_up(device);
+}
+bool is_jack_system(const AudioDevice& device) {
+    return device.host_api == "JACK" && device.name == "system";
+}
+bool is_any(const AudioDevice&) { return true; }
+
+// What the person did not choose is said.
+std::string or_jack(const char* why, Devices devices) {
+    const bool has_jack = std::any_of(devices.begin(), devices.end(), is_jack_system);
+    return std::string(why) + (has_jack ? " (JACK is running too: --audio-system jack)" : "");
+}
 
 // The first device of the first rule that any device meets.
 Expected<DeviceChoice> choose_best(Devices devices,
@@ -144,12 +169,6 @@ Expected<DeviceChoice> choose_best(Devices devices,
         " was found; start a sound server (JACK, PulseAudio, PipeWire) or plug a device in");
 }
 
-bool is_monitor(const AudioDevice& device) { return device.is_monitor; }
-bool is_jack_system(const AudioDevice& device) {
-    return device.host_api == "JACK" && device.name == "system";
-}
-bool is_any(const AudioDevice&) { return true; }
-
 }  // namespace
 
 std::string described(const AudioDevice& device) {
@@ -161,8 +180,9 @@ Expected<DeviceChoice> choose_input(Devices devices, std::string_view wanted) {
         return choose_named(devices, Direction::input, wanted);
     }
     const Preference preferences[] = {
-        {is_monitor, "it is what this computer plays"},
+        {is_desktop_monitor, or_jack("it is what this computer plays", devices)},
         {is_jack_system, "JACK is running and this is its input"},
+        {is_monitor, "it is what this computer plays"},
         {[](const AudioDevice& device) { return device.is_default_input; }, "the default input"},
         {is_any, "the first input there is"}};
     return choose_best(devices, Direction::input, preferences);
@@ -173,6 +193,7 @@ Expected<DeviceChoice> choose_output(Devices devices, std::string_view wanted) {
         return choose_named(devices, Direction::output, wanted);
     }
     const Preference preferences[] = {
+        {is_desktop_output, or_jack("the default output", devices)},
         {is_jack_system, "JACK is running and this is its output"},
         {[](const AudioDevice& device) { return device.is_default_output; }, "the default output"},
         {is_any, "the first output there is"}};

@@ -80,13 +80,15 @@ struct DeviceChoice {
 };
 
 /// The device to record from. `wanted`: a number of the list, a name or id, or a part of one that
-/// only one input has (case does not matter); empty: a monitor (the default sink's first), else
-/// JACK's `system`, else the default input, else the first.
+/// only one input has (case does not matter); empty: what the desktop plays (the monitor of
+/// PulseAudio's or PipeWire's default sink, where that is a real one), else JACK's `system`, else
+/// any monitor, else the default input, else the first. Where the desktop is chosen although JACK
+/// runs too, the reason says so.
 /// Errors: no such input (the error lists all); several match; no input at all. Pure. Threads: any.
 [[nodiscard]] Expected<DeviceChoice> choose_input(std::span<const AudioDevice> devices,
                                                   std::string_view wanted = {});
-/// The device to play to, by the same rules without monitors: JACK's `system`, the default, the
-/// first.
+/// The device to play to, by the same rules, so that what it plays is what choose_input() hears:
+/// the desktop's default sink, JACK's `system`, the default, the first.
 [[nodiscard]] Expected<DeviceChoice> choose_output(std::span<const AudioDevice> devices,
                                                    std::string_view wanted = {});
 

@@ -415,6 +415,25 @@ TEST_F(LiveOnPulse, hears_what_the_computer_plays_and_says_why_it_listens_there)
     EXPECT_GT(level_in(heard.err), kHeardDb) << heard.err;
 }
 
+TEST_F(LiveOnPulse, beside_jack_hears_what_play_plays) {
+    const JackServer jack;
+    ASSERT_EQ(jack.problem(), "");
+    const auto with_both = [this](std::vector<std::string> arguments) {
+        ProcessPlan result = with_pulse(std::move(arguments));
+        std::erase_if(result.environment,
+                      [](const auto& pair) { return pair.first == "JACK_DEFAULT_SERVER"; });
+        return result;
+    };
+    CapturedProcess player(with_both({"play", path("drums.wav"), "--headless"}));
+    ASSERT_TRUE(player.wait_for_output(
+        "sound goes to 'Living Room Speakers' (PulseAudio): the default output "
+        "(JACK is running too: --audio-system jack)\n"));
+    ASSERT_TRUE(player.wait_for_output("playing"));
+    const ProcessResult heard = run_process(with_both({"live", "--headless", "--duration", "6"}));
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    EXPECT_GT(level_in(heard.err), kHeardDb) << heard.err;
+}
+
 TEST_F(LiveOnPulse, hears_play_through_a_monitor_named_by_words_with_spaces) {
     CapturedProcess player(
         with_pulse({"play", path("drums.wav"), "--headless", "--duration", "9"}));

@@ -41,7 +41,48 @@ TEST(ChooseDevice, live_listens_to_what_the_computer_plays_when_it_can) {
     const auto choice = choose_input(desktop());
     ASSERT_TRUE(choice);
     EXPECT_EQ(choice->device.id, "speakers.monitor");
-    EXPECT_EQ(choice->reason, "'Monitor of Speakers' (PulseAudio): it is what this computer plays");
+    EXPECT_EQ(choice->reason,
+              "'Monitor of Speakers' (PulseAudio): it is what this computer plays "
+              "(JACK is running too: --audio-system jack)");
+}
+
+/// A desktop's sound server with one loudspeaker, beside JACK or alone.
+std::vector<AudioDevice> pulse_with(const char* sink, bool has_jack) {
+    std::vector<AudioDevice> devices;
+    if (has_jack) {
+        devices.push_back(device("system", "JACK", 2, 2));
+        devices.back().system = AudioSystemKind::jack;
+        devices.back().is_default_input = true;
+        devices.back().is_default_output = true;
+    }
+    devices.push_back(monitor("Monitor", (std::string(sink) + ".monitor").c_str()));
+    devices.push_back(device("Loudspeaker", "PulseAudio", 0, 2));
+    devices.back().id = sink;
+    devices.back().system = AudioSystemKind::pulse;
+    devices.back().is_default_output = true;
+    return devices;
+}
+
+TEST(ChooseDevice, play_goes_where_live_listens_and_both_say_that_there_is_another_system) {
+    const auto both = pulse_with("speakers", true);
+    EXPECT_EQ(choose_input(both)->device.id, "speakers.monitor");
+    EXPECT_EQ(choose_output(both)->device.id, "speakers");
+    EXPECT_EQ(choose_output(both)->reason,
+              "'Loudspeaker' (PulseAudio): the default output "
+              "(JACK is running too: --audio-system jack)");
+    const auto alone = pulse_with("speakers", false);
+    EXPECT_EQ(choose_input(alone)->reason,
+              "'Monitor' (PulseAudio): it is what this computer plays");
+    EXPECT_EQ(choose_output(alone)->reason, "'Loudspeaker' (PulseAudio): the default output");
+}
+
+TEST(ChooseDevice, a_loudspeaker_that_the_server_made_up_comes_after_jack) {
+    const auto both = pulse_with("auto_null", true);
+    EXPECT_EQ(choose_input(both)->device.name, "system");
+    EXPECT_EQ(choose_output(both)->device.name, "system");
+    const auto alone = pulse_with("auto_null", false);
+    EXPECT_EQ(choose_input(alone)->device.id, "auto_null.monitor");
+    EXPECT_EQ(choose_output(alone)->device.id, "auto_null");
 }
 
 TEST(ChooseDevice, without_monitors_it_is_jack_then_the_default_then_the_first) {
