@@ -231,7 +231,8 @@ class Player {
     const engine::AnalyzerModels& models_;
     const engine::Formations& formations_;
     StageLoop& loop_;
-    engine::LiveGraphConfig sound_;  // of every song
+    engine::LiveGraphConfig sound_;                       // of every song
+    std::optional<engine::OpenLoudspeaker> loudspeaker_;  // between two songs
     engine::SongPlanner planner_;
     bool is_first_ = true;  // the next song to play
     bool has_failed_ = false;
@@ -314,7 +315,8 @@ Expected<StageEnd> Player::play(const Path& file,
     const std::optional<double> duration = player->first_info().claimed_seconds;
     const std::string name = file == "-" ? "standard input" : file.filename().string();
     const std::string title = audio::title_line(player->first_info().tags, name);
-    auto graph = engine::LiveGraph::play(std::move(player), output_, config);
+    auto graph = engine::LiveGraph::play(
+        std::move(player), output_, config, std::exchange(loudspeaker_, std::nullopt));
     if (!graph) {
         return fail(graph.error());
     }
@@ -343,6 +345,7 @@ Expected<StageEnd> Player::play(const Path& file,
             "this kernel has no filter of system calls (seccomp): files are decoded without one");
     }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
+    loudspeaker_ = (*graph)->leave_loudspeaker();
     // A file that does not say how long it is shows its end only here.
     if (section.start > 0.0 && end == StageEnd::finished && is_silent) {
         return fail(fmt::format("{}: ends before {} s", file.string(), section.start));

@@ -36,20 +36,35 @@ Expected<void> LiveGraph::open_stream(Direction direction,
     if (!stream) {
         return fail(stream.error());
     }
-    stream_ = std::move(*stream);
+    auto keeper = std::make_unique<DeviceKeeper>(
+        DeviceKeeper::Plan{direction, config.is_device_named, wishes}, device);
+    use({device, std::move(*stream), std::move(keeper)}, config);
+    return {};
+}
+
+void LiveGraph::use(OpenLoudspeaker opened, const LiveGraphConfig& config) {
+    stream_ = std::move(opened.stream);
+    keeper_ = std::move(opened.keeper);
+    xruns_before_ = stream_->xruns();
     // Without a device nothing is delayed, and no offset applies.
     latency_offset_ = config.latency_offset;
     offsets_ = config.offsets;
-    set_device(device);
-    keeper_ = std::make_unique<DeviceKeeper>(
-        DeviceKeeper::Plan{direction, config.is_device_named, wishes}, device);
-    return {};
+    set_device(opened.device);
+}
+
+std::optional<OpenLoudspeaker> LiveGraph::leave_loudspeaker() {
+    if (!playback_ || !stream_ || has_lost_device_) {
+        return std::nullopt;
+    }
+    stream_->disconnect();
+    return OpenLoudspeaker{device_, std::move(stream_), std::move(keeper_)};
 }
 
 Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     std::unique_ptr<audio::FilePlayer> player,
     const std::optional<audio::AudioDevice>& output,
-    const LiveGraphConfig& config) {
+    const LiveGraphConfig& config,
+    std::optional<OpenLoudspeaker> open) {
     std::unique_ptr<LiveGraph> graph(new LiveGraph);
     auto playback = Playback::create(std::move(player), config.models);
     if (!playback) {
@@ -61,13 +76,15 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     if (config.is_held_back) {
         graph->playback_->hold_back();
     }
-    if (output) {
+    if (open) {
+        graph->use(std::move(*open), config);
+    } else if (output) {
         if (auto opened = graph->open_stream(Direction::output, *output, config); !opened) {
             return fail(opened.error());
         }
     }
     // The resampler needs the device's real rate, which is known once the stream is open.
-    const SampleRate rate = output ? graph->stream_->rate() : kOwnClockRate;
+    const SampleRate rate = graph->stream_ ? graph->stream_->rate() : kOwnClockRate;
     if (auto prepared = graph->playback_->prepare(rate); !prepared) {
         return fail(prepared.error());
     }
@@ -75,7 +92,7 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::play(
     if (auto started = graph->start_motion(config); !started) {
         return fail(started.error());
     }
-    if (output) {
+    if (graph->stream_) {
         graph->stream_->connect(*graph->playback_);
     } else {
         graph->paced_clock_ = std::make_unique<PacedClock>(
@@ -247,6 +264,7 @@ void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& li
     const SampleRate rate = news.stream->rate();
     const auto ready = playback_ ? playback_->prepare(rate) : live_input_->resume(rate);
     stream_ = std::move(news.stream);
+    xruns_before_ = 0;
     motion_->stay_below(stream_->callback_priority());
     lines.push_back(
         about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
@@ -306,7 +324,7 @@ void LiveGraph::hold_back_dance() noexcept {
 LiveCounters LiveGraph::counters() const noexcept {
     LiveCounters counters;
     counters.dropped_states = analysis_->states().dropped();
-    counters.xruns = stream_ ? stream_->xruns() : 0;
+    counters.xruns = stream_ ? stream_->xruns() - xruns_before_ : 0;
     counters.underruns = playback_ ? playback_->player().underruns() : 0;
     return counters;
 }

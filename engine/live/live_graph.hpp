@@ -42,6 +42,14 @@ struct LiveGraphConfig {
     EventQueue<DancedHop>* record = nullptr;  ///< gets every danced hop; null: nobody records
 };
 
+/// A loudspeaker that runs and is looked after: what one song leaves to the next, so that its
+/// buffer stays as long as it has grown, and its sound where a person or the desktop has sent it.
+struct OpenLoudspeaker {
+    audio::AudioDevice device;                    ///< which one it is now
+    std::unique_ptr<audio::DeviceStream> stream;  ///< silent meanwhile
+    std::unique_ptr<DeviceKeeper> keeper;         ///< may hold a stream that is to take over
+};
+
 /// Counters of lost data, for the overlay and the benchmarks.
 struct LiveCounters {
     std::uint64_t dropped_states = 0;  ///< the motion thread was too slow
@@ -55,13 +63,15 @@ struct LiveCounters {
 /// Threads: main for all methods.
 class LiveGraph {
  public:
-    /// Plays one file on `output`; without one, paced by our own clock and without sound. Errors:
-    /// the device or the resampler refuses, the analyzer refuses the rate, a dancer cannot be
-    /// prepared.
+    /// Plays one file on `output`; without one, paced by our own clock and without sound. `open`:
+    /// what the song before left, which is played on instead of opening `output`. Errors: the
+    /// device or the resampler refuses, the analyzer refuses the rate, a dancer cannot be prepared;
+    /// `open` is closed then.
     [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> play(
         std::unique_ptr<audio::FilePlayer> player,
         const std::optional<audio::AudioDevice>& output,
-        const LiveGraphConfig& config);
+        const LiveGraphConfig& config,
+        std::optional<OpenLoudspeaker> open = {});
 
     /// Dances to the sound of `input`. Errors: as play().
     [[nodiscard]] static Expected<std::unique_ptr<LiveGraph>> listen(
@@ -83,6 +93,9 @@ class LiveGraph {
     [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
     /// The device that sounds or is listened to now, or did last. Without one: a nameless one.
     [[nodiscard]] const audio::AudioDevice& device() const noexcept { return device_; }
+    /// Gives the loudspeaker away for the next song, the last thing to do with this graph: it
+    /// stands still. Nothing where none runs.
+    [[nodiscard]] std::optional<OpenLoudspeaker> leave_loudspeaker();
     /// Whether all of the file has left the loudspeaker; false in `live`. Calls after the end tell
     /// how long ago that was: call it with every picture.
     [[nodiscard]] bool is_played_out(HostTime now) noexcept;
@@ -140,6 +153,7 @@ class LiveGraph {
     [[nodiscard]] Expected<void> open_stream(audio::DeviceStream::Direction direction,
                                              const audio::AudioDevice& device,
                                              const LiveGraphConfig& config);
+    void use(OpenLoudspeaker opened, const LiveGraphConfig& config);
     [[nodiscard]] audio::StreamCallback& callback() noexcept;
     [[nodiscard]] std::string about(const audio::AudioDevice& device, const char* how) const;
     void set_device(const audio::AudioDevice& device);
@@ -159,6 +173,7 @@ class LiveGraph {
     bool has_lost_device_ = false;
     std::string trouble_;
     bool has_said_growth_ = false;
+    std::uint64_t xruns_before_ = 0;   // of the stream, in songs before
     bool has_said_elsewhere_ = false;  // since there was sound last
     HostTime heard_last_{};            // `live`: when there was sound, or a look around
     std::optional<HostTime> finished_;

@@ -13,6 +13,7 @@
 #include "tests/support/child_process.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/pulse_server.hpp"
+#include "tests/support/text.hpp"
 
 namespace raks::test {
 namespace {
@@ -170,6 +171,44 @@ TEST_F(DeviceEvents, play_follows_the_default_and_where_the_mixer_moves_it) {
         PulseServer::pactl({"move-sink-input", inputs.substr(0, inputs.find('\t')), "raks_null"}));
     ASSERT_TRUE(raks.wait_for_output("sound goes to 'Speakers' (PulseAudio) now"));
     expect_good_end(raks);
+}
+
+TEST_F(DeviceEvents, a_buffer_that_grew_stays_so_for_the_songs_that_follow) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::drums;
+    plan.seconds = 5.0;
+    write_music("one.wav", plan);
+    write_music("two.wav", plan);
+    CapturedProcess raks(with_pulse({"play", path("one.wav"), path("two.wav"), "--headless"}));
+    // Stopped for longer than its buffer lasts, in each song.
+    for (const char* song : {"one.wav", "two.wav"}) {
+        ASSERT_TRUE(raks.wait_for_output("playing " + path(song)));
+        static_cast<void>(run_program({"sleep", "1"}));
+        raks.send(SIGSTOP);
+        static_cast<void>(run_program({"sleep", "1"}));
+        raks.send(SIGCONT);
+    }
+    const ProcessResult result = raks.wait();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    // In the second song it begins with what it had grown to: it grows beyond, or not at all.
+    EXPECT_EQ(count_of("the sound ran dry: its buffer is 80 ms now", result.err), 1) << result.err;
+}
+
+TEST_F(DeviceEvents, a_song_begins_where_the_one_before_was_sent) {
+    audio::MusicPlan plan;
+    plan.style = audio::Style::drums;
+    plan.seconds = 5.0;
+    write_music("one.wav", plan);
+    write_music("two.wav", plan);
+    CapturedProcess raks(with_pulse({"play", path("one.wav"), path("two.wav"), "--headless"}));
+    ASSERT_TRUE(raks.wait_for_output("playing " + path("one.wav")));
+    pulse_.set_default_sink("headphones");
+    const std::string moved = "sound goes to 'Headphones' (PulseAudio) now";
+    ASSERT_TRUE(raks.wait_for_output(moved));
+    const ProcessResult result = raks.wait();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("playing " + path("two.wav")), std::string::npos) << result.err;
+    EXPECT_EQ(count_of(moved, result.err), 1) << "it was there already: " << result.err;
 }
 
 TEST_F(DeviceEvents, play_waits_for_the_named_loudspeaker) {

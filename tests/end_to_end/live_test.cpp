@@ -19,6 +19,7 @@
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"
 #include "tests/support/stall_watch.hpp"
+#include "tests/support/text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -137,15 +138,6 @@ TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     expect_tempo_of_the_drums([&] { return recording_of_the_player("14"); });
     player.send(SIGINT);
     EXPECT_EQ(player.wait().exit_code, 130);
-}
-
-/// How often `part` occurs in `text`.
-int count_of(const std::string& part, const std::string& text) {
-    int count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++count;
-    }
-    return count;
 }
 
 /// The death of a device is told in exactly one line. (What `live` says at its very end, the tempo,
