@@ -13,6 +13,8 @@
 #include <string>
 #include <system_error>
 
+#include "base/realtime_kit.hpp"
+
 namespace raks {
 namespace {
 
@@ -32,10 +34,12 @@ bool prefer_this_thread(RealtimeThread kind, int below) noexcept {
     parameters.sched_priority = std::min(kPriorities[static_cast<std::size_t>(kind)], below - 1);
     if (parameters.sched_priority < 1) {
         parameters.sched_priority = 0;
-        pthread_setschedparam(pthread_self(), SCHED_OTHER, &parameters);
+        // With the flag that RealtimeKit sets, which cannot be taken off.
+        sched_setscheduler(gettid(), SCHED_OTHER | SCHED_RESET_ON_FORK, &parameters);
         return false;
     }
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0 ||
+           ask_realtime_kit(parameters.sched_priority) ||
            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kPreferredNice) == 0;
 }
 

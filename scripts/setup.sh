@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 declare -A lists=(
     # The compiler, and the libraries of the programs raks, raks-decode and raks-import.
     [build]="g++ cmake ninja-build pkg-config ccache
-        portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libsndfile1-dev libspeexdsp-dev
+        portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libdbus-1-dev libsndfile1-dev libspeexdsp-dev
         libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
         libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
