@@ -1,5 +1,5 @@
 // The program raks-train, started by `raks train`. It is a program of its own since it alone needs
-// FluidSynth and a BLAS, which the dancing program should not load.
+// a BLAS, which the dancing program should not load.
 #include <filesystem>
 #include <string>
 

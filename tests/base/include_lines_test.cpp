@@ -111,6 +111,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
       "render/import",
       "render/export",
       "engine/decode"}},
+    {"engine/soundfont", {"base", "audio/music/instruments", "audio/music/score", "engine/decode"}},
     {"engine/unpack", {"base", "render/model", "render/import", "engine/decode"}},
     {"engine/films", {"base", "audio/io"}},
     {"engine/setup", {"base", "audio", "audio/**", "motion", "motion/**"}},

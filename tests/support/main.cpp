@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     // They do not lie beside the programs of the tests.
     setenv("RAKS_DECODER", RAKS_DECODE_PROGRAM, 1);
     setenv("RAKS_UNPACKER", RAKS_UNPACK_PROGRAM, 1);
+    setenv("RAKS_SOUNDFONT", RAKS_SOUNDFONT_PROGRAM, 1);
     setenv("RAKS_IMPORTER", RAKS_IMPORT_PROGRAM, 1);
     setenv("RAKS_CODEC_MODULE", RAKS_CODEC_MODULE, 1);
     setenv("RAKS_FILM_MODULE", RAKS_FILM_MODULE, 1);

@@ -13,7 +13,7 @@
 #include "audio/features/rhythm_frames.hpp"
 #include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "audio/music/instruments/soundfont_player.hpp"
+#include "audio/music/instruments/soundfont_band.hpp"
 #include "audio/music/instruments/studio.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/band.hpp"
@@ -110,7 +110,7 @@ class PieceMaker {
         if (dice.chance(0.35)) {
             return {"none", "no pulse", notes_without_pulse(seconds_, dice), {}};
         }
-        return {"none", "people", {}, noise_of_people(SoundfontPlayer::kRate, seconds_, dice)};
+        return {"none", "people", {}, noise_of_people(kPerformanceRate, seconds_, dice)};
     }
 
     [[nodiscard]] Piece make(Dice& dice) const {
@@ -236,7 +236,7 @@ class PieceMaker {
         plan.tempo = {{0.0, bpm}, {seconds_, bpm * dice.uniform(0.85, 1.18)}};
         plan.seconds = seconds_;
         plan.channels = 1;
-        plan.rate = SampleRate(SoundfontPlayer::kRate);
+        plan.rate = SampleRate(kPerformanceRate);
         plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
         plan.first_beat_seconds = dice.uniform(0.0, 0.5);
         Piece piece{"own", book_->own_name(name_of(plan.style)), {}, {}};
@@ -288,9 +288,9 @@ Expected<CorpusPiece> make_piece(const CorpusPlan& plan, const PieceMaker& maker
     }
     // A mix as of a studio for electronic music, before the damage that any recording may have.
     if (piece.is_electronic) {
-        produce(piece.performance, SoundfontPlayer::kRate, piece.samples, dice);
+        produce(piece.performance, kPerformanceRate, piece.samples, dice);
     }
-    augment_sound(SoundfontPlayer::kRate, piece.samples, dice);
+    augment_sound(kPerformanceRate, piece.samples, dice);
     return CorpusPiece{std::move(piece.family),
                        std::move(piece.style),
                        std::move(piece.samples),
@@ -338,7 +338,7 @@ Expected<std::vector<TrainingExcerpt>> make_corpus(const CorpusPlan& plan) {
         corpus[static_cast<std::size_t>(number)] = {
             std::move(piece.family),
             std::move(piece.style),
-            mel_magnitudes_of(piece.samples, SoundfontPlayer::kRate),
+            mel_magnitudes_of(piece.samples, kPerformanceRate),
             std::move(piece.beats)};
         return {};
     };

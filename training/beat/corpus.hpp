@@ -42,7 +42,7 @@ struct CorpusPlan {
 struct CorpusPiece {
     std::string family;             ///< as in TrainingExcerpt
     std::string style;              ///< as in TrainingExcerpt
-    std::vector<float> samples;     ///< mono, SoundfontPlayer::kRate
+    std::vector<float> samples;     ///< mono, kPerformanceRate
     std::vector<PlayedBeat> beats;  ///< annotated; empty: not music, or without a pulse
 };
 

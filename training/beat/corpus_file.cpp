@@ -14,7 +14,7 @@
 #include "audio/evaluate/beat_corpus.hpp"
 #include "audio/io/audio_file.hpp"
 #include "audio/io/wav_writer.hpp"
-#include "audio/music/instruments/soundfont_player.hpp"
+#include "audio/music/instruments/soundfont_band.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 
@@ -181,8 +181,7 @@ Expected<void> write_music_folder(const CorpusPlan& plan, const fs::path& folder
         if (auto written = save_beat_estimate(part, name, told(piece.beats)); !written) {
             return written;
         }
-        return write_wav(
-            part / (name + ".wav"), piece.samples, 1, SampleRate(SoundfontPlayer::kRate));
+        return write_wav(part / (name + ".wav"), piece.samples, 1, SampleRate(kPerformanceRate));
     };
     if (auto made = make_pieces(plan, write); !made) {
         return made;

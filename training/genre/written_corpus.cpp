@@ -11,7 +11,7 @@
 #include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/damage/sound_damage.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "audio/music/instruments/soundfont_player.hpp"
+#include "audio/music/instruments/soundfont_band.hpp"
 #include "audio/music/instruments/synthesizers.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/other_music.hpp"
@@ -95,7 +95,7 @@ WrittenPiece own_piece(const BandPalette& palette, double seconds, Dice& dice) {
     plan.tempo = {{0.0, bpm}};
     plan.seconds = seconds;
     plan.channels = 1;
-    plan.rate = SampleRate(SoundfontPlayer::kRate);
+    plan.rate = SampleRate(kPerformanceRate);
     plan.seed = static_cast<std::uint64_t>(dice.whole(1, 1'000'000));
     WrittenPiece piece{own.name, palette.dance, {}, {}};
     if (auto music = generate(plan)) {
@@ -154,8 +154,8 @@ Expected<std::vector<float>> play_piece(const WrittenCorpusPlan& plan,
     if (!samples || melody.empty()) {
         return samples;
     }
-    std::vector<float> oud = play_oud(melody, SoundfontPlayer::kRate, samples->size());
-    add_room(SoundfontPlayer::kRate, 0.3, 0.4 * room.level, oud, dice);
+    std::vector<float> oud = play_oud(melody, kPerformanceRate, samples->size());
+    add_room(kPerformanceRate, 0.3, 0.4 * room.level, oud, dice);
     mix_in(oud, static_cast<float>(dice.uniform(0.2, 0.8)), *samples);
     return samples;
 }
@@ -167,11 +167,10 @@ Expected<std::vector<float>> synthesize_piece(const WrittenCorpusPlan& plan,
                                               Dice& dice) {
     constexpr double kAll = 0.4;  // of the pieces: no instrument of a soundfont
     const double share = dice.chance(kAll) ? 1.0 : dice.uniform(0.3, 0.9);
-    std::vector<float> drawn =
-        play_synthesizers(share, SoundfontPlayer::kRate, piece.performance, dice);
+    std::vector<float> drawn = play_synthesizers(share, kPerformanceRate, piece.performance, dice);
     if (!drawn.empty() && dice.chance(0.5)) {
         const double wet = dice.uniform(0.05, 0.3);
-        add_room(SoundfontPlayer::kRate, dice.uniform(0.1, 0.4), wet, drawn, dice);
+        add_room(kPerformanceRate, dice.uniform(0.1, 0.4), wet, drawn, dice);
     }
     // Every instrument was synthesized: no soundfont is needed.
     if (piece.performance.notes.empty()) {
@@ -264,8 +263,7 @@ Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
             effects.leave_out(SoundEffect::codec);
             effects.leave_out(SoundEffect::resampling);
         }
-        if (auto done = augment_for_genre(SoundfontPlayer::kRate, piece.samples, dice, effects);
-            !done) {
+        if (auto done = augment_for_genre(kPerformanceRate, piece.samples, dice, effects); !done) {
             return fail(done.error());
         }
     }
@@ -279,7 +277,7 @@ Expected<PieceFeatures> make_piece(const WrittenCorpusPlan& plan, int number) {
                         ? PieceFeatures::Kind::written_held_out
                         : PieceFeatures::Kind::written;
     if (auto done = extract_features(
-            piece.samples, SampleRate(SoundfontPlayer::kRate), plan.feature_plan, features);
+            piece.samples, SampleRate(kPerformanceRate), plan.feature_plan, features);
         !done) {
         return fail(done.error());
     }

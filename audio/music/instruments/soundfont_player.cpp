@@ -1,53 +1,17 @@
 #include "audio/music/instruments/soundfont_player.hpp"
 
 #include <fluidsynth.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <utility>
+#include <memory>
+#include <string_view>
 
 namespace raks::audio {
-namespace {
-
-/// A player tuned up to `most_semitones` up or down.
-BandPlayer draw_player(std::size_t soundfonts, double most_semitones, Dice& dice) {
-    BandPlayer player;
-    player.soundfont = static_cast<std::size_t>(dice.whole(0, static_cast<int>(soundfonts) - 1));
-    player.semitones = dice.uniform(-most_semitones, most_semitones);
-    // Most soundfonts leave the low-pass open, so moving its corner up would change nothing.
-    player.brightness = dice.chance(0.5) ? -dice.uniform(0.0, 2.5) : 0.0;
-    player.decay = dice.uniform(-1.0, 1.0);
-    player.level = dice.uniform(-8.0, 4.0);
-    return player;
-}
-
-}  // namespace
-
-PlayerBand draw_band(std::size_t soundfonts, Dice& dice) {
-    constexpr double kConcertPitch = 0.3;  // semitones that a band may be off it
-    constexpr double kDrumTuning = 4.0;    // semitones
-    PlayerBand band;
-    const double pitch = dice.uniform(-kConcertPitch, kConcertPitch);
-    // Instruments of a band are in tune with one another; drums need not be.
-    for (BandPlayer& player : band.channels) {
-        player = draw_player(soundfonts, 0.0, dice);
-        player.semitones = pitch;
-    }
-    for (BandPlayer& drummer : band.drummers) {
-        drummer = draw_player(soundfonts, kDrumTuning, dice);
-        if (dice.chance(0.25)) {
-            drummer.kit = dice.pick({0, 8, 16, 24, 25, 32, 40});  // of General MIDI
-        }
-    }
-    // Each drum is dealt on its own, so that a kit mixes several soundfonts.
-    for (std::size_t& drummer : band.drummer_of_key) {
-        drummer =
-            static_cast<std::size_t>(dice.whole(0, static_cast<int>(PlayerBand::kDrummers) - 1));
-    }
-    return band;
-}
-
 namespace {
 
 constexpr std::size_t kDelay = 110;  // samples: measured on clicks
@@ -72,7 +36,7 @@ struct PlayerEvent {
 /// again is not ended by the note before it.
 std::vector<PlayerEvent> events_of(const Performance& performance) {
     const auto sample_of = [](double seconds) {
-        return static_cast<std::size_t>(std::max(0.0, seconds) * SoundfontPlayer::kRate);
+        return static_cast<std::size_t>(std::max(0.0, seconds) * kPerformanceRate);
     };
     std::vector<PlayerEvent> events;
     for (const PlayedNote& note : performance.notes) {
@@ -84,6 +48,65 @@ std::vector<PlayerEvent> events_of(const Performance& performance) {
     });
     return events;
 }
+
+// FluidSynth opens a soundfont again whenever it needs samples, which a cage would refuse. So it
+// reads by these from the descriptor that its name says.
+
+constexpr std::string_view kNowhere = "/dev/null/";  // no file can be below it
+
+/// A place in a soundfont.
+struct Reading {
+    int descriptor = -1;
+    fluid_long_long_t at = 0;  // bytes
+};
+
+std::string name_of(int descriptor) { return std::string(kNowhere) + std::to_string(descriptor); }
+
+void* open_reading(const char* name) {
+    const std::string_view number = std::string_view(name).substr(kNowhere.size());
+    auto reading = std::make_unique<Reading>();
+    std::from_chars(number.data(), number.data() + number.size(), reading->descriptor);
+    return reading.release();  // close_reading() takes it back
+}
+
+int close_reading(void* handle) {
+    const std::unique_ptr<Reading> owned(static_cast<Reading*>(handle));
+    return FLUID_OK;
+}
+
+int read_reading(void* to, fluid_long_long_t count, void* handle) {
+    auto* const reading = static_cast<Reading*>(handle);
+    auto* next = static_cast<char*>(to);
+    while (count > 0) {
+        const ssize_t got =
+            ::pread(reading->descriptor, next, static_cast<std::size_t>(count), reading->at);
+        if (got <= 0) {
+            return FLUID_FAILED;
+        }
+        next += got;
+        reading->at += got;
+        count -= got;
+    }
+    return FLUID_OK;
+}
+
+int seek_reading(void* handle, fluid_long_long_t offset, int origin) {
+    auto* const reading = static_cast<Reading*>(handle);
+    struct stat status {};
+    if (::fstat(reading->descriptor, &status) != 0) {
+        return FLUID_FAILED;
+    }
+    const fluid_long_long_t from = origin == SEEK_SET   ? 0
+                                   : origin == SEEK_CUR ? reading->at
+                                                        : status.st_size;
+    if (offset < -from || offset > status.st_size - from) {
+        return FLUID_FAILED;
+    }
+    reading->at = from + offset;
+    return FLUID_OK;
+}
+
+fluid_long_long_t tell_reading(void* handle) { return static_cast<Reading*>(handle)->at; }
 
 }  // namespace
 
@@ -98,7 +121,7 @@ struct SoundfontPlayer::Synth {
         fluid_set_log_function(FLUID_ERR, nullptr, nullptr);
         fluid_set_log_function(FLUID_WARN, nullptr, nullptr);
         fluid_set_log_function(FLUID_INFO, nullptr, nullptr);
-        fluid_settings_setnum(settings, "synth.sample-rate", kRate);
+        fluid_settings_setnum(settings, "synth.sample-rate", kPerformanceRate);
         // Only the samples of instruments that play are read.
         fluid_settings_setint(settings, "synth.dynamic-sample-loading", 1);
         fluid_settings_setint(settings, "synth.chorus.active", 0);
@@ -106,6 +129,12 @@ struct SoundfontPlayer::Synth {
         fluid_settings_setint(settings, "synth.midi-channels", kChannels);
         fluid_settings_setnum(settings, "synth.gain", 0.4);
         synth = new_fluid_synth(settings);
+        if (synth != nullptr) {
+            fluid_sfloader_t* const loader = new_fluid_defsfloader(settings);
+            fluid_sfloader_set_callbacks(
+                loader, open_reading, read_reading, seek_reading, tell_reading, close_reading);
+            fluid_synth_add_sfloader(synth, loader);  // which owns it
+        }
     }
     ~Synth() {
         delete_fluid_synth(synth);
@@ -123,7 +152,7 @@ struct SoundfontPlayer::Synth {
         fluid_synth_set_reverb_group_roomsize(synth, -1, room.size);
         fluid_synth_set_reverb_group_level(synth, -1, room.level);
         states.fill({});
-        const auto total = static_cast<std::size_t>(performance.seconds * kRate);
+        const auto total = static_cast<std::size_t>(performance.seconds * kPerformanceRate);
         std::vector<float> mono;
         mono.reserve(total + kDelay);
         for (const PlayerEvent& event : events_of(performance)) {
@@ -247,31 +276,32 @@ struct SoundfontPlayer::Synth {
     std::array<ChannelState, kChannels> states{};
 };
 
-SoundfontPlayer::SoundfontPlayer(std::unique_ptr<Synth> synth) : synth_(std::move(synth)) {}
-SoundfontPlayer::SoundfontPlayer(SoundfontPlayer&&) noexcept = default;
-SoundfontPlayer& SoundfontPlayer::operator=(SoundfontPlayer&&) noexcept = default;
-SoundfontPlayer::~SoundfontPlayer() = default;
-
-Expected<SoundfontPlayer> SoundfontPlayer::open(std::span<const std::filesystem::path> soundfonts) {
+SoundfontPlayer::SoundfontPlayer() {
     // The first synthesizer fills FluidSynth's global tables. One is made here, once, before any
     // other thread plays: with tables half full the samples would differ between runs.
     [[maybe_unused]] static const bool are_tables_full = [] {
         const Synth first;
         return first.synth != nullptr;
     }();
-    auto synth = std::make_unique<Synth>();
+    synth_ = std::make_unique<Synth>();
+}
+
+SoundfontPlayer::~SoundfontPlayer() = default;
+
+Expected<void> SoundfontPlayer::load(std::span<const SoundfontFile> soundfonts) {
     // FluidSynth looks an instrument up in the soundfont that was loaded last, so the first one is
     // loaded last.
     for (std::size_t i = soundfonts.size(); i-- > 0;) {
-        const int number = synth->synth == nullptr
+        const std::string name = name_of(soundfonts[i].descriptor);
+        const int number = synth_->synth == nullptr
                                ? FLUID_FAILED
-                               : fluid_synth_sfload(synth->synth, soundfonts[i].c_str(), 1);
+                               : fluid_synth_sfload(synth_->synth, name.c_str(), 1);
         if (number == FLUID_FAILED) {
-            return fail(soundfonts[i].string() + ": not a soundfont that FluidSynth can load");
+            return fail(soundfonts[i].name + ": not a soundfont that FluidSynth can load");
         }
-        synth->soundfonts.insert(synth->soundfonts.begin(), number);
+        synth_->soundfonts.insert(synth_->soundfonts.begin(), number);
     }
-    return SoundfontPlayer(std::move(synth));
+    return {};
 }
 
 std::vector<float> SoundfontPlayer::play(const Performance& performance, const PlayerRoom& room) {
@@ -282,28 +312,6 @@ std::vector<float> SoundfontPlayer::play(const Performance& performance,
                                          const PlayerRoom& room,
                                          const PlayerBand& band) {
     return synth_->play(performance, room, &band);
-}
-
-std::vector<std::filesystem::path> draw_soundfonts(
-    std::span<const std::filesystem::path> soundfonts, Dice& dice) {
-    constexpr double kBand = 0.75;  // of the pieces
-    if (soundfonts.size() > 1 && dice.chance(kBand)) {
-        return {soundfonts.begin(), soundfonts.end()};
-    }
-    return {dice.pick<std::filesystem::path>(soundfonts)};
-}
-
-Expected<std::vector<float>> play_with(std::span<const std::filesystem::path> soundfonts,
-                                       const Performance& performance,
-                                       const PlayerRoom& room,
-                                       Dice& dice) {
-    auto player = SoundfontPlayer::open(soundfonts);
-    if (!player) {
-        return fail(player.error());
-    }
-    return soundfonts.size() > 1
-               ? player->play(performance, room, draw_band(soundfonts.size(), dice))
-               : player->play(performance, room);
 }
 
 }  // namespace raks::audio

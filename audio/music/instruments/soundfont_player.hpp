@@ -1,104 +1,45 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "audio/music/instruments/soundfont_band.hpp"
 #include "audio/music/score/score.hpp"
-#include "base/dice.hpp"
 #include "base/expected.hpp"
-#include "base/time.hpp"
 
 namespace raks::audio {
 
-/// One player of a band: whose instrument it is, and how it sounds.
-struct BandPlayer {
-    std::size_t soundfont = 0;  ///< index into those that were opened
-    double semitones = 0.0;     ///< tuned up
-    double brightness = 0.0;    ///< octaves that its low-pass is moved
-    double decay = 0.0;         ///< octaves that it sounds longer
-    double level = 0.0;         ///< dB
-    std::optional<int> kit;     ///< of a drummer: in place of the score's
-
-    friend bool operator==(const BandPlayer&, const BandPlayer&) = default;
+/// A soundfont that is open for reading.
+struct SoundfontFile {
+    std::string name;     ///< for messages
+    int descriptor = -1;  ///< stays the caller's; open as long as it is played
 };
 
-/// Who plays a performance: a player for each channel, and several at the drums, so that a few
-/// soundfonts make many kits and bands. A model trained on them has to hold for soundfonts that it
-/// was not trained on.
-struct PlayerBand {
-    /// Players that the drums are dealt to.
-    static constexpr std::size_t kDrummers = 8;
-    /// MIDI keys.
-    static constexpr std::size_t kKeys = 128;
-
-    /// By MIDI channel; the drum channel's entry is not used.
-    std::array<BandPlayer, 16> channels;
-    /// Each with a soundfont and kit of its own.
-    std::array<BandPlayer, kDrummers> drummers;
-    /// Index into `drummers` for each drum.
-    std::array<std::size_t, kKeys> drummer_of_key{};
-
-    friend bool operator==(const PlayerBand&, const PlayerBand&) = default;
-};
-
-/// Draws a band: each player's soundfont out of `soundfonts` (> 0), and its tuning, brightness,
-/// decay and level around the soundfont's own.
-[[nodiscard]] PlayerBand draw_band(std::size_t soundfonts, Dice& dice);
-
-/// The room that a performance is played in.
-struct PlayerRoom {
-    double size = 0.0;   ///< 0 dry to 1
-    double level = 0.0;  ///< of the reverb, 0 to 1
-};
-
-/// Plays performances with soundfonts (FluidSynth). Threads: one each. Real-time: no.
+/// Plays performances with soundfonts (FluidSynth), in this process: for raks-soundfont and tests.
+/// Opens no file. Threads: one each. Real-time: no.
 class SoundfontPlayer {
  public:
-    /// Samples a second of what it plays.
-    static constexpr int kRate = kPerformanceRate;
+    SoundfontPlayer();
+    ~SoundfontPlayer();
+    SoundfontPlayer(const SoundfontPlayer&) = delete;             ///< one synthesizer each
+    SoundfontPlayer& operator=(const SoundfontPlayer&) = delete;  ///< likewise
 
-    /// Errors: a soundfont cannot be loaded.
-    [[nodiscard]] static Expected<SoundfontPlayer> open(
-        std::span<const std::filesystem::path> soundfonts);
+    /// Loads what is played with; once. Errors: a soundfont cannot be loaded.
+    [[nodiscard]] Expected<void> load(std::span<const SoundfontFile> soundfonts);
 
-    /// Mono samples at kRate, performance.seconds long, peak 0.7; the synthesizer's delay of 2.5 ms
-    /// is taken off. The first soundfont plays everything.
+    /// Mono samples at kPerformanceRate, performance.seconds long, peak 0.7; the synthesizer's
+    /// delay of 2.5 ms is taken off. The first soundfont plays everything.
     [[nodiscard]] std::vector<float> play(const Performance& performance, const PlayerRoom& room);
     /// The same, played by a band whose players have soundfonts and sounds of their own.
     [[nodiscard]] std::vector<float> play(const Performance& performance,
                                           const PlayerRoom& room,
                                           const PlayerBand& band);
 
-    /// The source may only be destroyed or assigned to.
-    SoundfontPlayer(SoundfontPlayer&&) noexcept;
-    /// As the constructor.
-    SoundfontPlayer& operator=(SoundfontPlayer&&) noexcept;
-    /// Frees the soundfonts.
-    ~SoundfontPlayer();
-
  private:
     struct Synth;
-    explicit SoundfontPlayer(std::unique_ptr<Synth> synth);
     std::unique_ptr<Synth> synth_;
 };
-
-/// Draws which of `soundfonts` (not empty) play a piece: mostly all of them, as a band, else one.
-[[nodiscard]] std::vector<std::filesystem::path> draw_soundfonts(
-    std::span<const std::filesystem::path> soundfonts, Dice& dice);
-
-/// Samples of `performance` as in SoundfontPlayer::play, by a band drawn of several soundfonts, or
-/// by the only one. Each piece has a new player: one that has played before does not give the same
-/// samples again, and loading costs less than a second of music. Errors: a soundfont cannot be
-/// loaded.
-[[nodiscard]] Expected<std::vector<float>> play_with(
-    std::span<const std::filesystem::path> soundfonts,
-    const Performance& performance,
-    const PlayerRoom& room,
-    Dice& dice);
 
 }  // namespace raks::audio

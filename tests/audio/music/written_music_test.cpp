@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "audio/music/instruments/soundfont_player.hpp"
+#include "audio/music/instruments/soundfont_band.hpp"
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/other_music.hpp"
 #include "tests/audio/music/shipped_styles.hpp"
