@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/printable.hpp"
+
 namespace raks {
 namespace {
 
@@ -47,12 +49,12 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
     const std::string_view nearest = nearest_name(name, known);
     if (!nearest.empty()) {
-        return "; did you mean \"" + std::string(nearest) + "\"?";
+        return "; did you mean \"" + printable(nearest) + "\"?";
     }
     // Nothing is close: lists all.
     std::string text = "; known: ";
     for (const std::string_view candidate : known) {
-        text.append(candidate).append(candidate == known.back() ? "" : ", ");
+        text.append(printable(candidate)).append(candidate == known.back() ? "" : ", ");
     }
     return text;
 }
@@ -62,8 +64,9 @@ std::string unknown_name(std::string_view what,
                          std::span<const std::string_view> known) {
     constexpr std::size_t kLongest = 40;
     // Cut before it is shown: the name may be any text.
-    const std::string shown(name.substr(0, kLongest));
-    return std::string(what) + " \"" + shown + "\" is unknown" + suggestion(shown, known);
+    const std::string_view shown = name.substr(0, kLongest);
+    return std::string(what) + " \"" + printable(shown) + "\" is unknown" +
+           suggestion(shown, known);
 }
 
 }  // namespace raks

@@ -20,5 +20,14 @@ TEST(Suggest, something_else_lists_what_is_known) {
     EXPECT_EQ(suggestion("xyzzy", kNames), "; known: stage, workshop_dark, studio_light");
 }
 
+// Names may come from files, as those of postures do.
+TEST(Suggest, no_name_reaches_a_terminal_as_it_is) {
+    constexpr std::array<std::string_view, 1> kOdd = {"sta\nge"};
+    EXPECT_EQ(suggestion("stage", kOdd), "; did you mean \"sta?ge\"?");
+    EXPECT_EQ(suggestion("xyzzy", kOdd), "; known: sta?ge");
+    EXPECT_EQ(unknown_name("theme", "\x1b[2J", kNames),
+              "theme \"?[2J\" is unknown; known: stage, workshop_dark, studio_light");
+}
+
 }  // namespace
 }  // namespace raks

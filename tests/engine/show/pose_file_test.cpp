@@ -55,6 +55,9 @@ struct BadFile {
 TEST(PoseFile, what_is_wrong_is_said) {
     for (const BadFile& bad :
          {BadFile{"{", "", "not a JSON object"},
+          BadFile{R"({"poses": {"wa\nve": {}, "tall": {}}})",
+                  "",
+                  "pose \"\" is unknown; known: tall, wa?ve"},
           BadFile{"[1, 2]", "", "not a JSON object"},
           BadFile{R"({"skeleton": 1})",
                   "",
