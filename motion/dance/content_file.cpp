@@ -1,5 +1,6 @@
 #include "motion/dance/content_file.hpp"
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -56,7 +57,7 @@ LibraryFigure unpack_figure(Unpacker& unpacker, const std::shared_ptr<const void
     figure.beats = unpacker.take<int>();
     figure.move = unpacker.take<FloorMove>();
     figure.place = unpacker.take<FloorMove>();
-    figure.turns_half = unpacker.take<bool>();
+    figure.turns_half = unpacker.take<std::uint8_t>() != 0;  // whatever byte it is
     for (std::vector<double>& fist : figure.fist) {
         fist = unpacker.take_list<std::vector<double>>();
     }

@@ -59,6 +59,13 @@ bool read_midi(std::string_view bytes);         ///< a file of a pack, and perfo
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
 bool read_film(std::string_view bytes);         ///< of any format, its first pictures
 bool read_genre_samples(std::string_view bytes);       ///< and other files that training keeps
+bool read_soundfont(std::string_view bytes);           ///< SF2 or SF3, and plays it
+bool read_soundfont_talk(std::string_view bytes);      ///< what raks-soundfont may answer
+bool read_decode_talk(std::string_view bytes);         ///< what raks-decode may, of sound
+bool read_import_talk(std::string_view bytes);         ///< what raks-import may
+bool read_unpack_talk(std::string_view bytes);         ///< what raks-unpack may
+bool read_kept_dance(std::string_view changes);        ///< a solved dance, and what is changed
+bool read_posture(std::string_view text);              ///< of `raks avatar pose`
 bool read_bone_label_file(std::string_view text);      ///< labels of avatars
 bool read_joint_map_file(std::string_view text);       ///< of clips; and puts it to one
 bool read_lens_file(std::string_view text);            ///< OpenCV's; and writes it again

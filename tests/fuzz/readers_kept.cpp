@@ -1,0 +1,73 @@
+// Dances that were solved and kept, and postures.
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "base/file.hpp"
+#include "base/hash.hpp"
+#include "engine/show/pose_file.hpp"
+#include "motion/dance_library.hpp"
+#include "motion/figures/figure_grammar.hpp"
+#include "motion/figures/figure_model.hpp"
+#include "tests/fuzz/promise.hpp"
+#include "tests/fuzz/readers.hpp"
+
+namespace raks::fuzz {
+namespace {
+
+/// A dance of one figure, and as it is kept.
+struct KeptDance {
+    motion::FigureGrammar grammar;
+    std::string bytes;
+};
+
+KeptDance keep_dance() {
+    const auto text =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_basic_lead.json");
+    const auto figure = motion::parse_figure(text.value(), "x.json");
+    KeptDance kept;
+    kept.grammar.rules.push_back({.figure = figure->name, .after = {1.0}});
+    const auto library =
+        motion::DanceLibrary::build({&*figure, 1}, motion::mannequin_skeleton(), &kept.grammar);
+    must(library.has_value());
+    kept.bytes = (*library)->packed();
+    return kept;
+}
+
+}  // namespace
+
+// A kept dance is of one machine and one build, so none can lie in a corpus: the bytes say what of
+// a good one is changed, each change by four bytes for its place and one to put there. The hash at
+// its end is made to fit again, else nothing behind it would be tried.
+bool read_kept_dance(std::string_view changes) {
+    static const KeptDance kept = keep_dance();
+    std::string bytes = kept.bytes;
+    const std::size_t body = bytes.size() - sizeof(std::uint64_t);
+    for (; changes.size() >= 5; changes.remove_prefix(5)) {
+        std::uint32_t place = 0;
+        std::memcpy(&place, changes.data(), sizeof place);
+        bytes[place % body] = changes[4];
+    }
+    const std::uint64_t sum = fast_hash_of(std::string_view(bytes).substr(0, body));
+    std::memcpy(bytes.data() + body, &sum, sizeof sum);
+    const auto library =
+        motion::DanceLibrary::unpack(std::make_shared<const std::string>(std::move(bytes)),
+                                     motion::mannequin_skeleton(),
+                                     kept.grammar);
+    if (!library) {
+        must_be_one_line(library.error().message);
+        return false;
+    }
+    must((*library)->figure_names().size() == kept.grammar.rules.size());
+    return true;
+}
+
+bool read_posture(std::string_view text) {
+    const auto pose = engine::parse_pose(text, "");
+    if (!pose) {
+        must_be_one_line(pose.error().message);
+    }
+    return pose.has_value();
+}
+
+}  // namespace raks::fuzz
