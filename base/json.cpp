@@ -85,6 +85,8 @@ void Json::push_back(Json value) {
     std::get<Array>(value_).push_back(std::move(value));
 }
 
+Json& Json::back() { return std::get<Array>(value_).back(); }
+
 std::size_t Json::size() const noexcept {
     if (const auto* const array = std::get_if<Array>(&value_)) {
         return array->size();

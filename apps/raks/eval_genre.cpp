@@ -299,7 +299,9 @@ std::string json_of(const Evaluation& evaluation) {
         Json confusion = Json::array();
         for (const auto& line : row.tally.confusion) {
             Json shares = Json::array();
-            std::transform(line.begin(), line.end(), std::back_inserter(shares), rounded);
+            for (const auto share : line) {
+                shares.push_back(rounded(share));
+            }
             confusion.push_back(shares);
         }
         json["rows"].push_back(
