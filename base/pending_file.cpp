@@ -165,12 +165,16 @@ std::atomic<PendingFiles*> g_shared{nullptr};
 // The parts that are not committed, for a process that is told to end.
 struct PendingFiles {
     std::mutex mutex;
+    struct Kept {
+        fs::path part;
+        fs::path path;  // that it would have got
+    };
     std::vector<fs::path> to_remove;
-    std::vector<fs::path> to_keep;
+    std::vector<Kept> to_keep;
 
     void forget(const fs::path& part) {
         std::erase(to_remove, part);
-        std::erase(to_keep, part);
+        std::erase_if(to_keep, [&](const Kept& kept) { return kept.part == part; });
     }
 };
 
@@ -193,7 +197,28 @@ EndOfWriting remove_pending_files() {
         fs::remove_all(part, ignored);
     }
     files.to_remove.clear();
-    return {std::move(lock), files.to_keep};
+    EndOfWriting end{std::move(lock), {}};
+    for (const PendingFiles::Kept& kept : files.to_keep) {
+        std::error_code error;
+        const fs::path stopped = stopped_name(kept.path);
+        fs::rename(kept.part, stopped, error);
+        if (!error) {
+            end.kept.push_back(stopped);
+        }  // else it lay in a folder that is removed, as a rule
+    }
+    files.to_keep.clear();
+    return end;
+}
+
+fs::path stopped_name(const fs::path& path) {
+    const fs::path folder = path.parent_path();
+    const std::string stem = path.stem().string().substr(0, kLongestStem) + ".stopped";
+    fs::path free = folder / (stem + path.extension().string());
+    std::error_code ignored;
+    for (int i = 2; fs::exists(fs::symlink_status(free, ignored)); ++i) {
+        free = folder / (stem + "-" + std::to_string(i) + path.extension().string());
+    }
+    return free;
 }
 
 PendingFile::PendingFile(fs::path path, fs::path part, int file, bool is_named)
@@ -262,8 +287,7 @@ Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     if (!part) {
         return fail(std::move(part.error()));
     }
-    (at_end == AtEnd::removed ? pending_files().to_remove : pending_files().to_keep)
-        .push_back(*part);
+    pending_files().to_remove.push_back(*part);
     take_rights_of(target, file);
     return PendingFile(target, std::move(*part), file);
 }
@@ -370,6 +394,19 @@ Expected<void> PendingFile::commit() {
     static_cast<void>(close());
     static_cast<void>(sync_folder_of(path_));
     return {};
+}
+
+Expected<fs::path> PendingFile::commit_stopped() {
+    path_ = stopped_name(path_);
+    auto committed = commit();
+    return committed ? Expected<fs::path>(path_) : fail(std::move(committed.error()));
+}
+
+void PendingFile::keep_from_here() {
+    const std::lock_guard lock(pending_files().mutex);
+    if (std::erase(pending_files().to_remove, part_) > 0) {
+        pending_files().to_keep.push_back({part_, path_});
+    }
 }
 
 Expected<void> check_is_no_input(const fs::path& output, const std::vector<fs::path>& inputs) {

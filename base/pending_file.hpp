@@ -24,9 +24,9 @@ class PendingFile {
     /// What becomes of the part where the process is told to end before it is committed.
     enum class AtEnd { removed, kept };
 
-    /// `at_end`: kept where the part is of use by itself, such as a film that plays up to there.
-    /// Errors: no name, the folder does not exist, the part cannot be made there; what has the name
-    /// is not a plain file (a device is never replaced by a file).
+    /// `at_end`: kept where a part may be of use by itself, such as a film that plays up to there:
+    /// from keep_from_here() on. Errors: no name, the folder does not exist, the part cannot be
+    /// made there; what has the name is not a plain file (a device is never replaced by a file).
     [[nodiscard]] static Expected<PendingFile> create(const std::filesystem::path& path,
                                                       AtEnd at_end = AtEnd::removed);
     /// The same for a folder: part() is an empty one. Errors: the folder exists and is not empty,
@@ -44,6 +44,12 @@ class PendingFile {
     /// Waits until the disk has all of it and renames the part to its final name, replacing what
     /// was there. After a failure the old file is there, whole. Errors: the system's.
     [[nodiscard]] Expected<void> commit();
+    /// As commit(), but of what ended before it was complete: what has the name stays, and the part
+    /// lies beside it under the first stopped_name() that is free. Returns that path.
+    [[nodiscard]] Expected<std::filesystem::path> commit_stopped();
+    /// From now on what is written is of use by itself: where the process is told to end, it is
+    /// kept under its stopped_name(). Of a folder, or of a file that was made with AtEnd::kept.
+    void keep_from_here();
 
  private:
     PendingFile(std::filesystem::path path,
@@ -68,13 +74,17 @@ struct PendingFiles;
 /// program's. Threads: any, before the module's first file.
 void share_pending_files(PendingFiles& of_program);
 
+/// What has ended early lies beside `path` as this: x.mp4 -> x.stopped.mp4; where something has
+/// that name x.stopped-2.mp4, and so on.
+[[nodiscard]] std::filesystem::path stopped_name(const std::filesystem::path& path);
+
 /// As long as one lives, nothing can be committed.
 struct EndOfWriting {
     std::unique_lock<std::mutex> lock;        ///< held until the process ends
-    std::vector<std::filesystem::path> kept;  ///< parts that are of use by themselves
+    std::vector<std::filesystem::path> kept;  ///< what is of use by itself, under its stopped_name
 };
-/// Removes every part that is not committed, but those that are kept: for a process that must end
-/// now. Threads: any.
+/// Removes every part that is not committed; those that are of use by themselves get their
+/// stopped_name(). For a process that must end now. Threads: any.
 [[nodiscard]] EndOfWriting remove_pending_files();
 
 /// Removes this file if it is a part that a killed process left (PendingFile); nothing else.

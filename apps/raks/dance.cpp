@@ -191,14 +191,18 @@ ExitCode dance(const DanceArguments& given) {
     if (!source->warning().empty()) {
         say(source->warning());
     }
-    say_if_stopped(arguments.output, source->given());
+    // What a signal stopped replaces no whole dance.
+    const bool is_stopped = stop_signal().has_value();
     // No hop was danced.
     if (collect.dancers.empty()) {
         collect.dancers.emplace_back();  // of no length: the writer says that there are no poses
     }
     // One file a dancer.
+    std::vector<Path> files;
     for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
-        const Path path = file_of(arguments.output, i, collect.dancers.size());
+        const Path whole = file_of(arguments.output, i, collect.dancers.size());
+        const Path path = is_stopped ? stopped_name(whole) : whole;
+        files.push_back(path);
         const auto written =
             write != nullptr
                 ? write(path, setup->skeleton, collect.dancers[i], arguments.fps)
@@ -207,6 +211,9 @@ ExitCode dance(const DanceArguments& given) {
         if (!written) {
             return fail(written.error());
         }
+    }
+    if (is_stopped) {
+        say_stopped(files, source->given());
     }
     if (write == nullptr) {
         if (auto laid = lay_music_beside(arguments.output, arguments.input); !laid) {

@@ -10,6 +10,7 @@
 #include "apps/dances/written_dance.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "engine/offline/song_planner.hpp"
 #include "engine/setup/asked_formation.hpp"
 #include "engine/setup/dance_files.hpp"
@@ -197,11 +198,15 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
     return driver;
 }
 
-void say_if_stopped(const std::filesystem::path& output, Nanos danced) {
-    if (stop_signal()) {
-        say(fmt::format(
-            "stopped: {} holds the first {:.1f} s", output.string(), to_seconds(danced)));
+void say_stopped(const std::vector<fs::path>& files, Nanos danced) {
+    std::string names;
+    for (const fs::path& file : files) {
+        names += (names.empty() ? "" : ", ") + printable(file.string());
     }
+    say(fmt::format("stopped: {} {} the first {:.1f} s",
+                    names,
+                    files.size() == 1 ? "holds" : "hold",
+                    to_seconds(danced)));
 }
 
 }  // namespace raks::apps

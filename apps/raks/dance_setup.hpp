@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
 #include "base/expected.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -66,8 +69,8 @@ struct OfflineMusic {
 [[nodiscard]] Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music,
                                                           const OfflineSetup& setup);
 
-/// Where a signal came: says how much of the music `output` holds.
-void say_if_stopped(const std::filesystem::path& output, Nanos danced);
+/// Says where that lies which was danced before a signal came, and how much it is.
+void say_stopped(const std::vector<std::filesystem::path>& files, Nanos danced);
 
 /// What a command that dances live begins with.
 struct StageSetup : DanceSetup {

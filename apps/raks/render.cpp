@@ -163,8 +163,21 @@ class Film final : public engine::OfflineDriver::Sink {
     FaceAt face_at_;
 };
 
-// Feeds the music to dancer and film, to its end or to a signal; the film is complete in both
-// cases.
+// Completes a film; one that a signal stopped keeps its `danced` beside the file that it was to
+// replace, and says so.
+Expected<void> finish(render::VideoWriter& writer, Nanos danced) {
+    if (!stop_signal()) {
+        return writer.finish();
+    }
+    const auto kept = writer.finish_stopped();
+    if (!kept) {
+        return fail(kept.error());
+    }
+    say_stopped({*kept}, danced);
+    return {};
+}
+
+// Feeds the music to dancer and film, to its end or to a signal.
 // `Driver`: of dancers or of a clip.
 template <typename Driver>
 Expected<void> run(engine::MusicSource& source,
@@ -191,7 +204,7 @@ Expected<void> run(engine::MusicSource& source,
     if (film.fault()) {
         return fail(*film.fault());
     }
-    return writer.finish();
+    return finish(writer, source.given());
 }
 
 // Size, rate and quality of the film; the sound's rate is the music's.
@@ -267,7 +280,6 @@ ExitCode film_music(const RenderArguments& arguments,
     if (auto ran = run(source, driver, **writer, film); !ran) {
         return fail(ran.error());
     }
-    say_if_stopped(arguments.output, source.given());
     if (!source.warning().empty()) {
         say(source.warning());
     }
@@ -304,8 +316,7 @@ ExitCode film_clip(const RenderArguments& arguments,
     if (film.fault()) {
         return fail(*film.fault());
     }
-    say_if_stopped(arguments.output, nanos_from_seconds(done));
-    return exit_code_of((*writer)->finish());
+    return exit_code_of(finish(**writer, nanos_from_seconds(done)));
 }
 
 // The avatar performs a clip: once in silence, or over and over to music.

@@ -162,13 +162,14 @@ Expected<void> film(const StickArguments& arguments,
             progress.show(share);
             return !stop_signal().has_value();
         });
-    if (written) {
-        print_text(fmt::format("{}: {} pictures, {:.4g} a second\n",
-                               printable(plan.output.string()),
-                               pictures,
-                               plan.shown.pictures_per_second));
+    if (!written) {
+        return fail(std::move(written.error()));
     }
-    return written;
+    print_text(fmt::format("{}: {} pictures, {:.4g} a second\n",
+                           printable(written->string()),
+                           pictures,
+                           plan.shown.pictures_per_second));
+    return {};
 }
 
 }  // namespace

@@ -60,10 +60,18 @@ Expected<void> show(const XbodyArguments& arguments,
                                [] { return stop_signal().has_value(); });
     }
     ProgressLine progress("filming");
-    return write_xbody_film(film_plan(arguments, size), std::move(model), [&](double share) {
-        progress.show(share);
-        return !stop_signal().has_value();
-    });
+    const auto written =
+        write_xbody_film(film_plan(arguments, size), std::move(model), [&](double share) {
+            progress.show(share);
+            return !stop_signal().has_value();
+        });
+    if (!written) {
+        return fail(written.error());
+    }
+    if (*written != arguments.output) {
+        say(fmt::format("stopped: {} holds what was filmed", printable(written->string())));
+    }
+    return {};
 }
 
 Expected<ShownModel> load(const XbodyArguments& arguments) {

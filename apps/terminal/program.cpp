@@ -209,7 +209,7 @@ void wait_for_signal(const timespec* until) {
 [[noreturn]] void end_now() {
     const EndOfWriting end = remove_pending_files();
     for (const std::filesystem::path& part : end.kept) {
-        complain("stopped before it was finished: what was written lies in " + part.string());
+        complain("stopped before it was finished: what was made lies in " + part.string());
     }
     _exit(exit_code_after_signals(kExitFailed));
 }

@@ -67,9 +67,9 @@ Expected<void> check_xbody_film(const XbodyFilmPlan& plan) {
     return engine::check_clip_film(film_plan(plan));
 }
 
-Expected<void> write_xbody_film(const XbodyFilmPlan& plan,
-                                ShownModel model,
-                                const engine::FilmProgress& progress) {
+Expected<std::filesystem::path> write_xbody_film(const XbodyFilmPlan& plan,
+                                                 ShownModel model,
+                                                 const engine::FilmProgress& progress) {
     if (plan.frame && *plan.frame >= model.frame_count()) {
         return fail(fmt::format("{}: has no frame {}, its last is {}",
                                 printable(model.file().string()),

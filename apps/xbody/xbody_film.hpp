@@ -31,11 +31,10 @@ struct XbodyFilmPlan {
 [[nodiscard]] Expected<void> check_xbody_film(const XbodyFilmPlan& plan);
 
 /// Draws the model off-screen and writes it. The camera has all that the clip reaches. Errors: a
-/// frame that the clip does not have, no OpenGL, those of the file. `progress`: as of
-/// write_clip_film. Threads: main.
-[[nodiscard]] Expected<void> write_xbody_film(const XbodyFilmPlan& plan,
-                                              ShownModel model,
-                                              const engine::FilmProgress& progress);
+/// frame that the clip does not have, no OpenGL, those of the file. `progress` and what is
+/// returned: as of write_clip_film. Threads: main.
+[[nodiscard]] Expected<std::filesystem::path> write_xbody_film(
+    const XbodyFilmPlan& plan, ShownModel model, const engine::FilmProgress& progress);
 
 /// Draws one picture of the stage as it stands, with its marks, into a target. `scale`: pixels a
 /// unit of the marks.

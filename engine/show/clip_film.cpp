@@ -92,22 +92,28 @@ Expected<void> ClipFilm::add_next(const DrawFrame& draw) {
 
 Expected<void> ClipFilm::finish() { return writer_ ? writer_->finish() : Expected<void>(); }
 
-Expected<void> write_clip_film(const ClipFilmPlan& plan,
-                               const DrawFrame& draw,
-                               const FilmProgress& progress) {
+Expected<std::filesystem::path> ClipFilm::finish_stopped() {
+    return writer_ ? writer_->finish_stopped() : Expected<std::filesystem::path>(plan_.output);
+}
+
+Expected<std::filesystem::path> write_clip_film(const ClipFilmPlan& plan,
+                                                const DrawFrame& draw,
+                                                const FilmProgress& progress) {
     auto film = ClipFilm::begin(plan);
     if (!film) {
         return fail(std::move(film.error()));
     }
     while (film->share() < 1.0) {
         if (auto added = film->add_next(draw); !added) {
-            return added;
+            return fail(std::move(added.error()));
         }
-        if (!progress(film->share())) {
-            break;
+        if (!progress(film->share()) && film->share() < 1.0) {
+            return film->finish_stopped();
         }
     }
-    return film->finish();
+    auto finished = film->finish();
+    return finished ? Expected<std::filesystem::path>(plan.output)
+                    : fail(std::move(finished.error()));
 }
 
 }  // namespace raks::engine

@@ -60,6 +60,9 @@ class ClipFilm {
     [[nodiscard]] Expected<void> add_next(const DrawFrame& draw);
     /// Ends it with what there is. Errors: as begin.
     [[nodiscard]] Expected<void> finish();
+    /// As finish(), of a film that was to be longer: what has its name stays, and the film lies
+    /// beside it under the path that is returned (VideoWriter::finish_stopped).
+    [[nodiscard]] Expected<std::filesystem::path> finish_stopped();
 
  private:
     ClipFilm(ClipFilmPlan plan, render::OffscreenTarget target);
@@ -71,11 +74,12 @@ class ClipFilm {
     std::size_t done_ = 0;
 };
 
-/// Draws all frames of the plan and writes them. An OpenGL context must be current: whatever the
-/// caller draws with lives in it. Errors: those of the film, the file and the target. Threads: the
-/// context's.
-[[nodiscard]] Expected<void> write_clip_film(const ClipFilmPlan& plan,
-                                             const DrawFrame& draw,
-                                             const FilmProgress& progress);
+/// Draws all frames of the plan and writes them. Returns the file: the plan's output, or where
+/// `progress` ended it, that of ClipFilm::finish_stopped. An OpenGL context must be current:
+/// whatever the caller draws with lives in it. Errors: those of the film, the file and the target.
+/// Threads: the context's.
+[[nodiscard]] Expected<std::filesystem::path> write_clip_film(const ClipFilmPlan& plan,
+                                                              const DrawFrame& draw,
+                                                              const FilmProgress& progress);
 
 }  // namespace raks::engine

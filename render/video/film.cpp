@@ -39,8 +39,11 @@ class Film final : public VideoWriter {
     Expected<void> add_picture(std::span<const std::uint8_t> rgba) override;
     Expected<void> add_sound(std::span<const float> interleaved) override;
     Expected<void> finish() override;
+    Expected<std::filesystem::path> finish_stopped() override;
 
  private:
+    /// All that makes it a film, but its name.
+    [[nodiscard]] Expected<void> complete();
     /// Sends a frame (null: the end) and writes what the encoder gives back.
     [[nodiscard]] Expected<void> encode(AVCodecContext& codec,
                                         const AVStream& stream,
@@ -67,6 +70,8 @@ class Film final : public VideoWriter {
     std::array<std::optional<std::int64_t>, 2> first_dts_;  // of each stream, in its codec's time
     PacketHandle packet_;
     std::int64_t picture_count_ = 0;
+    std::int64_t head_bytes_ = 0;  // what is on the disk before the first fragment or cluster
+    bool plays_ = false;           // what is on the disk, by itself
     std::optional<Error> failure_;
 };
 
@@ -151,6 +156,7 @@ Expected<void> Film::write_header(const std::string& url) {
     if (error < 0) {
         return give_up("cannot be written: " + av_reason(error));
     }
+    head_bytes_ = avio_tell(muxer_->pb);
     return {};
 }
 
@@ -184,6 +190,10 @@ Expected<void> Film::encode(AVCodecContext& codec, const AVStream& stream, const
         error = av_interleaved_write_frame(muxer_.get(), packet_.get());
         if (error < 0) {
             return give_up("cannot be written: " + av_reason(error));
+        }
+        if (!plays_ && avio_tell(muxer_->pb) > head_bytes_) {
+            plays_ = true;
+            file_.keep_from_here();
         }
     }
 }
@@ -248,8 +258,18 @@ Expected<void> Film::add_sound(std::span<const float> interleaved) {
     return encode_sound();
 }
 
-/// Sound to the end of the last picture, then what the encoders still hold, then the trailer.
 Expected<void> Film::finish() {
+    auto done = complete();
+    return done ? file_.commit() : done;
+}
+
+Expected<std::filesystem::path> Film::finish_stopped() {
+    auto done = complete();
+    return done ? file_.commit_stopped() : fail(std::move(done.error()));
+}
+
+/// Sound to the end of the last picture, then what the encoders still hold, then the trailer.
+Expected<void> Film::complete() {
     if (!failure_ && picture_count_ == 0) {
         return give_up("no picture was drawn; nothing is written");
     }
@@ -274,7 +294,7 @@ Expected<void> Film::finish() {
     }
     // Further calls are mistakes of the caller, and get this line.
     failure_ = Error{name_ + ": is finished already"};
-    return file_.commit();
+    return {};
 }
 
 Expected<void> Film::write_trailer() {
@@ -296,14 +316,15 @@ Expected<void> Film::make_plain() {
     if (sound_) {
         tracks.push_back({&sound_->codec(), first_dts_[1].value_or(0), sound_end()});
     }
-    const std::string plain = file_.part().string() + ".plain";
-    std::error_code error;
-    if (auto made = make_plain_mp4(file_.part().string(), plain, tracks); !made) {
-        std::filesystem::remove(plain, error);
-        return give_up(made.error().message);
+    auto plain = PendingFile::create(file_.part());
+    if (!plain) {
+        return give_up(plain.error().message);
     }
-    std::filesystem::rename(plain, file_.part(), error);
-    return error ? give_up("cannot be written: " + error.message()) : Expected<void>();
+    auto made = make_plain_mp4(file_.part().string(), plain->part().string(), tracks);
+    if (made) {
+        made = plain->commit();
+    }
+    return made ? Expected<void>() : give_up(made.error().message);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,30 +26,63 @@ class PictureFolder final : public VideoWriter {
         : path_(std::move(path)), folder_(std::move(folder)), options_(options) {}
 
     Expected<void> add_picture(std::span<const std::uint8_t> rgba) override {
+        if (failure_) {
+            return fail(*failure_);
+        }
         if (auto fits = check_picture(rgba, options_); !fits) {
             return fail(std::move(fits.error()).in(path_.string()));
         }
         std::array<char, 32> name{};
         // Numbered from 1; six digits sort by name for 9 hours at 30 pictures a second.
-        std::snprintf(name.data(), name.size(), "%06lld.png", ++pictures_);
-        return write_png(folder_.part() / name.data(), options_.width, options_.height, rgba);
+        std::snprintf(name.data(), name.size(), "%06lld.png", pictures_ + 1);
+        auto written =
+            write_png(folder_.part() / name.data(), options_.width, options_.height, rgba);
+        if (!written) {
+            return give_up(std::move(written.error()));
+        }
+        if (++pictures_ == 1) {
+            folder_.keep_from_here();
+        }
+        return {};
     }
 
     Expected<void> add_sound(std::span<const float> /*interleaved*/) override { return {}; }
 
     // The folder gets its name only when complete, like a film.
     Expected<void> finish() override {
-        if (pictures_ == 0) {
-            return fail(path_.string() + ": no picture was drawn; nothing is written");
-        }
-        return folder_.commit();
+        auto checked = check_has_pictures();
+        return checked ? folder_.commit() : checked;
+    }
+
+    Expected<fs::path> finish_stopped() override {
+        auto checked = check_has_pictures();
+        return checked ? folder_.commit_stopped() : fail(std::move(checked.error()));
     }
 
  private:
+    // As a rule the disk is full: the pictures before are kept.
+    [[nodiscard]] tl::unexpected<Error> give_up(Error why) {
+        failure_ = std::move(why);
+        if (pictures_ > 0) {
+            if (const auto kept = folder_.commit_stopped()) {
+                failure_->message += "; the pictures before lie in " + kept->string();
+            }
+        }
+        return fail(*failure_);
+    }
+    [[nodiscard]] Expected<void> check_has_pictures() const {
+        if (failure_) {
+            return fail(*failure_);
+        }
+        return pictures_ > 0 ? Expected<void>()
+                             : fail(path_.string() + ": no picture was drawn; nothing is written");
+    }
+
     fs::path path_;
     PendingFile folder_;
     VideoOptions options_;
     long long pictures_ = 0;
+    std::optional<Error> failure_;
 };
 
 }  // namespace

@@ -60,12 +60,13 @@ struct VideoOptions {
 /// cut, or filled with silence.
 ///
 /// The same input gives the same bytes (fixed thread count, no dates, no library versions).
-/// Everything goes to NAME.part first, which gets its name in finish(): a film that is not finished
-/// leaves nothing behind. A program that is told to stop calls finish() and keeps what was added.
-/// One that is killed leaves NAME.part, which plays up to about two seconds before the end: an .mp4
-/// is written in fragments and made a plain one in finish() (which takes its size on the disk once
-/// more); the other forms are flushed every second. It also ignores SIGXFSZ, so that a file size
-/// limit arrives here as an error.
+/// Everything goes to NAME.XXXXXX.part first, which gets its name in finish(): a film that is not
+/// finished leaves nothing behind, and what had the name stays until then. A program that is told
+/// to stop calls finish_stopped() and keeps what was added beside that. One that is killed leaves
+/// the part, which plays up to about two seconds before the end: an .mp4 is written in fragments
+/// and made a plain one at the end (which takes its size on the disk once more); the other forms
+/// are flushed every second. A program also ignores SIGXFSZ, so that a file size limit arrives here
+/// as an error.
 ///
 ///     auto film = VideoWriter::create("out.mp4", {.width = 1280, .height = 720});
 ///     (*film)->add_sound(samples);  (*film)->add_picture(rgba);  (*film)->finish();
@@ -98,6 +99,9 @@ class VideoWriter {
     [[nodiscard]] virtual Expected<void> add_sound(std::span<const float> interleaved) = 0;
     /// Completes the file and gives it its name. Needs at least one picture. Once.
     [[nodiscard]] virtual Expected<void> finish() = 0;
+    /// As finish(), of a film that ends before it is complete: what has its name stays, and the
+    /// film gets its stopped_name() (base/pending_file.hpp), which is returned.
+    [[nodiscard]] virtual Expected<std::filesystem::path> finish_stopped() = 0;
 
  protected:
     VideoWriter() = default;

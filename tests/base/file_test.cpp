@@ -217,16 +217,45 @@ TEST_F(FileTest, a_part_without_our_mark_or_in_use_stays) {
 
 TEST_F(FileTest, a_process_that_must_end_removes_what_is_not_complete) {
     auto lost = PendingFile::create(folder_ / "lost");
+    auto begun = PendingFile::create(folder_ / "begun.mp4", PendingFile::AtEnd::kept);
     auto folder = PendingFile::create_folder(folder_ / "folder");
-    auto film = PendingFile::create(folder_ / "film", PendingFile::AtEnd::kept);
-    ASSERT_TRUE(lost && folder && film);
+    auto pictures = PendingFile::create_folder(folder_ / "pictures");
+    auto film = PendingFile::create(folder_ / "film.mp4", PendingFile::AtEnd::kept);
+    ASSERT_TRUE(lost && begun && folder && pictures && film);
     std::ofstream(folder->part() / "inside") << "x";
+    film->keep_from_here();
+    pictures->keep_from_here();
     {
         const EndOfWriting end = remove_pending_files();
-        EXPECT_EQ(count(), 1) << "the film alone";
-        EXPECT_EQ(end.kept.size(), 1U);
+        EXPECT_EQ(count(), 2) << "what is of use by itself";
+        EXPECT_EQ(end.kept,
+                  (std::vector{folder_ / "film.stopped.mp4", folder_ / "pictures.stopped"}));
     }
     EXPECT_FALSE(folder->commit());
+}
+
+TEST_F(FileTest, what_is_stopped_lies_beside_and_replaces_nothing) {
+    const fs::path name = folder_ / "x.bvh";
+    ASSERT_TRUE(write_file(name, "old"));
+    for (const char* const expected : {"x.stopped.bvh", "x.stopped-2.bvh"}) {
+        for (const PendingFile::AtEnd at_end :
+             {PendingFile::AtEnd::removed, PendingFile::AtEnd::kept}) {
+            auto part = PendingFile::create(name, at_end);
+            ASSERT_TRUE(part);
+            ASSERT_TRUE(part->write(expected));
+            EXPECT_EQ(part->commit_stopped().value(), folder_ / expected);
+            EXPECT_EQ(read_file(folder_ / expected).value(), expected);
+            if (at_end == PendingFile::AtEnd::removed) {
+                fs::remove(folder_ / expected);
+            }
+        }
+    }
+    EXPECT_EQ(read_file(name).value(), "old");
+    EXPECT_EQ(count(), 3) << "no part is left";
+}
+
+TEST_F(FileTest, a_name_as_long_as_a_system_allows_has_a_stopped_one) {
+    EXPECT_TRUE(write_file(stopped_name(folder_ / (std::string(251, 'x') + ".mp4")), "text"));
 }
 
 TEST_F(FileTest, names_as_long_as_a_system_allows_are_written) {

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file.hpp"
 #include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
 #include "tests/support/extent.hpp"
@@ -126,7 +127,8 @@ TEST_F(Signals, end_every_command_within_a_second_at_any_moment) {
     }
 }
 
-TEST_F(Signals, a_film_that_was_stopped_says_how_much_it_holds) {
+TEST_F(Signals, a_film_that_was_stopped_lies_beside_the_one_that_was_there) {
+    std::ofstream(path("x.mp4")) << "an older film";
     CapturedProcess raks(plan({"render",
                                path("song.wav"),
                                "-o",
@@ -148,8 +150,34 @@ TEST_F(Signals, a_film_that_was_stopped_says_how_much_it_holds) {
     raks.send(SIGTERM);
     const ProcessResult result = raks.wait();
     EXPECT_EQ(result.exit_code, 143);
-    EXPECT_NE(result.err.find("x.mp4 holds the first "), std::string::npos) << result.err;
-    EXPECT_TRUE(std::filesystem::exists(path("x.mp4")));
+    EXPECT_NE(result.err.find("x.stopped.mp4 holds the first "), std::string::npos) << result.err;
+    EXPECT_EQ(read_file(path("x.mp4")).value(), "an older film");
+    EXPECT_TRUE(std::filesystem::exists(path("x.stopped.mp4")));
+}
+
+TEST_F(Signals, a_dance_that_was_stopped_lies_beside_the_one_that_was_there) {
+    std::ofstream(path("x_1.bvh")) << "an older dance";
+    ProcessResult result;
+    // Before it dances nothing is left; some moment later it has danced.
+    for (double moment = 0.4; !std::filesystem::exists(path("x_1.stopped.bvh")); moment += 0.1) {
+        CapturedProcess raks(plan({"dance",
+                                   path("song.wav"),
+                                   "--as-live",
+                                   "--dancers",
+                                   "6",
+                                   "--formation",
+                                   "unison",
+                                   "-o",
+                                   path("x.bvh")}));
+        ASSERT_TRUE(raks.wait_until([&](const ProcessResult&) {
+            return cpu_seconds(raks.pid()) >= moment;
+        })) << "it never danced";
+        raks.send(SIGINT);
+        result = raks.wait();
+        ASSERT_EQ(result.exit_code, 130) << result.err;
+        EXPECT_EQ(read_file(path("x_1.bvh")).value(), "an older dance");
+    }
+    EXPECT_NE(result.err.find("x_6.stopped.bvh hold the first "), std::string::npos) << result.err;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/render/video/film_support.hpp"
 
 namespace raks::render {
@@ -147,6 +148,28 @@ TEST_P(EveryForm, stopped_after_one_picture_it_keeps_that_picture) {
     if (!std::filesystem::is_directory(path_)) {
         EXPECT_EQ(decoded_grey(path_).size(), std::size_t{kWidth} * kHeight);
     }
+}
+
+TEST_P(EveryForm, a_film_that_is_stopped_lies_beside_what_has_its_name) {
+    const auto stopped = folder_ / (std::string("film.stopped") + GetParam());
+    const bool is_folder = *GetParam() == '\0';
+    if (!is_folder) {  // a folder that holds files is never written over
+        ASSERT_TRUE(write_file(path_, "an older film"));
+    }
+    auto film = VideoWriter::create(path_, kSmall);
+    ASSERT_TRUE(film) << film.error().message;
+    for (std::uint64_t i = 0; i < 3; ++i) {
+        ASSERT_TRUE((*film)->add_picture(noise_picture(kWidth, kHeight, i)));
+    }
+    EXPECT_EQ((*film)->finish_stopped().value(), stopped);
+    film->reset();
+    if (!is_folder) {
+        EXPECT_EQ(read_file(path_).value(), "an older film");
+        EXPECT_EQ(decoded_grey(stopped).size(), std::size_t{3} * kWidth * kHeight);
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}),
+              is_folder ? 1 : 2)
+        << "no part is left";
 }
 
 TEST_P(EveryForm, a_film_without_pictures_is_refused) {
