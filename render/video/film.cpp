@@ -75,9 +75,15 @@ class Film final : public VideoWriter {
     std::optional<Error> failure_;
 };
 
-/// The first failure is kept: what follows it would only report its consequences.
+/// The first failure is kept: what follows it would only report its consequences. So is what plays:
+/// as a rule the disk is full.
 tl::unexpected<Error> Film::give_up(const std::string& why) {
     failure_ = Error{name_ + ": " + why};
+    if (plays_) {
+        if (const auto kept = file_.commit_stopped()) {
+            failure_->message += "; the film up to there lies in " + kept->string();
+        }
+    }
     return fail(*failure_);
 }
 
@@ -305,6 +311,7 @@ Expected<void> Film::write_trailer() {
     if (error < 0) {
         return give_up("cannot be written: " + av_reason(error));
     }
+    plays_ = true;
     return form_ == FilmForm::mp4 ? make_plain() : Expected<void>();
 }
 

@@ -97,6 +97,34 @@ TEST_F(Disks, a_full_one_is_said_in_one_line_and_nothing_is_left) {
     expect_refused(kFull, "No space left on device");
 }
 
+TEST_F(Disks, one_that_fills_up_leaves_the_film_up_to_there_beside_the_one_that_was_there) {
+    if (!may_mount()) {
+        GTEST_SKIP() << "no right to mount";
+    }
+    const std::string filling =
+        "mount -t tmpfs -o size=1m tmpfs \"$0\" && mkdir \"$0/kept\" && echo old > \"$0/x.avi\"";
+    for (const std::string name : {"x.avi", "x"}) {
+        const std::string stopped = name == "x" ? "disk/x.stopped" : "disk/x.stopped.avi";
+        const ProcessResult result = run_on(filling,
+                                            {"render",
+                                             path("song.wav"),
+                                             "-o",
+                                             path("disk/" + name),
+                                             "--quality",
+                                             "fast",
+                                             "--size",
+                                             "640x360"});
+        EXPECT_EQ(result.exit_code, 1) << result.err;
+        EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
+        EXPECT_NE(result.err.find("No space left on device; the "), std::string::npos)
+            << result.err;
+        EXPECT_NE(result.err.find(" in " + path(stopped) + "\n"), std::string::npos) << result.err;
+        EXPECT_NE(result.out.find(path("disk/x.avi\n")), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find(path(stopped)), std::string::npos) << result.out;
+        EXPECT_EQ(result.out.find(".part"), std::string::npos) << result.out;
+    }
+}
+
 TEST_F(Disks, one_that_may_not_be_written_is_said_in_one_line) {
     if (!may_mount()) {
         GTEST_SKIP() << "no right to mount";

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <optional>
 #include <utility>
 
 #include "base/file.hpp"
@@ -213,16 +214,27 @@ class FileSizeLimit {
     void (*old_handler_)(int);
 };
 
-TEST_P(EveryForm, a_full_disk_ends_in_one_line_and_leaves_nothing) {
+TEST_P(EveryForm, a_full_disk_ends_in_one_line_and_leaves_what_plays) {
     // Met by the header, by the first pictures, and far into the film.
     for (const rlim_t limit : {rlim_t{0}, rlim_t{100}, rlim_t{20'000}, rlim_t{300'000}}) {
-        const FileSizeLimit full(limit);
+        std::optional<FileSizeLimit> full(limit);
         const auto written = write_noise(path_, 120, {.width = 640, .height = 360});
         ASSERT_FALSE(written) << "limit " << limit;
         const std::string& line = written.error().message;
         EXPECT_NE(line.find("cannot be written: File too large"), std::string::npos) << line;
         EXPECT_EQ(line.rfind(path_.string(), 0), 0U) << line;
         EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        full.reset();
+        const auto stopped = folder_ / (std::string("film.stopped") + GetParam());
+        const bool is_kept = std::filesystem::exists(stopped);
+        EXPECT_EQ(
+            line.find("; the film up to there lies in " + stopped.string()) != std::string::npos,
+            is_kept)
+            << line;
+        if (is_kept) {
+            EXPECT_GE(decoded_grey(stopped).size(), std::size_t{640} * 360) << "limit " << limit;
+            std::filesystem::remove(stopped);
+        }
         EXPECT_TRUE(folder_.is_empty()) << "limit " << limit;
     }
 }
@@ -235,6 +247,26 @@ INSTANTIATE_TEST_SUITE_P(forms,
                                         ? std::string("folder")
                                         : std::string(test_case.param).substr(1);
                          });
+
+TEST(VideoWriter, a_disk_that_fills_up_midway_leaves_what_plays_beside_the_old_film) {
+    constexpr int kPictures = 300;
+    for (const std::string form : {".mp4", ".mkv", ".webm", ".avi"}) {
+        SCOPED_TRACE(form);
+        const raks::test::TemporaryFolder folder;
+        const auto path = folder / ("film" + form);
+        ASSERT_TRUE(write_noise(path, kPictures));
+        const std::string older = read_file(path).value();
+        {
+            const FileSizeLimit full(older.size() / 2);
+            EXPECT_FALSE(write_noise(path, kPictures));
+        }
+        EXPECT_EQ(read_file(path).value(), older);
+        const std::size_t pictures =
+            decoded_grey(folder / ("film.stopped" + form)).size() / (kWidth * kHeight);
+        EXPECT_GE(pictures, 60U);
+        EXPECT_LT(pictures, std::size_t{kPictures});
+    }
+}
 
 TEST(VideoWriter, a_small_film_that_only_the_end_does_not_fit_is_refused_at_the_end) {
     const raks::test::TemporaryFolder folder;
