@@ -76,9 +76,10 @@ void add_capture_commands(RaksCommands& table) {
         {"simulate", "film a known dance with cameras that there are not"},
         {"board", "draw the board that calibrates the cameras, to print"},
         {"calibrate", "find lenses and places of the cameras by a board"},
-        {"sync", "tell the clocks of the films by their sound"},
+        {"sync", "tell the clocks of the films from their sound"},
         {"label", "say which marker is where in first pictures"},
         {"track", "follow the markers through all films"},
+        {"correct", "look at the tracks and put them right, in a window"},
         {"solve", "find the dancer's body and its dance in the tracks"},
         {"report", "show what came of a capture, as a page"},
         {"compare", "how far two motions of the same dance are apart"}};

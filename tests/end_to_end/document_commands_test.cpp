@@ -71,6 +71,19 @@ Help read_help(const std::string& text) {
     return help;
 }
 
+/// The lines of a help's list of commands, each with what it does, sorted.
+std::set<std::string> lines_of_commands(const std::string& help) {
+    const std::size_t begin = help.find("Subcommands:\n");
+    std::istringstream lines(help.substr(std::min(begin, help.size())));
+    std::set<std::string> commands;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("  ")) {
+            commands.insert(line);
+        }
+    }
+    return commands;
+}
+
 class DocumentCommands : public ProgramTest {
  protected:
     /// Of a command; asked for once.
@@ -188,6 +201,20 @@ TEST_F(DocumentCommands, with_a_wrong_name_are_found) {
     EXPECT_EQ(fault_of({"paly", "song.mp3"}), "paly is no command");
     EXPECT_EQ(fault_of({"eval", "beats", "--role=lead"}), "--role is no option of it");
     EXPECT_EQ(fault_of({"train", "genre", "merge", "1.shard", "-o", "x.json", "--units", "8"}), "");
+}
+
+TEST_F(DocumentCommands, of_other_programs_are_all_known_to_raks) {
+    for (const auto& [command, program] :
+         {std::pair{"train", RAKS_TRAIN_PROGRAM}, std::pair{"capture", RAKS_CAPTURE_PROGRAM}}) {
+        if (*program == '\0') {
+            continue;  // a build without it
+        }
+        ProcessPlan theirs = plan({"--help"});
+        theirs.command.front() = program;
+        const auto commands = lines_of_commands(run_process(theirs).out);
+        EXPECT_GE(commands.size(), 4U) << program;
+        EXPECT_EQ(lines_of_commands(run({command, "--help"}).out), commands);
+    }
 }
 
 /// The lines of a page's list: "- `--start S`, `--duration S`: ...", without what stands behind.
