@@ -40,7 +40,10 @@ ExitCode config(const ConfigArguments& arguments) {
     if (!settings) {
         return fail(settings.error());
     }
-    print_text(engine::to_toml(*settings));
+    for (const std::string& note : settings->notes) {
+        say(note);
+    }
+    print_text(engine::to_toml(settings->settings));
     return kExitDone;
 }
 

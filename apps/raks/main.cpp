@@ -64,7 +64,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     // The files first: options are parsed over what they say, and a fault of theirs is reported
     // below.
     const auto settings = engine::load_settings();
-    RaksCommands table(settings.value_or(engine::Settings{}));
+    RaksCommands table(settings.value_or(engine::LoadedSettings{}).settings);
     table.app().require_subcommand(0, 1);
     table.app().set_version_flag("-V,--version", std::string("raks ") + kVersion);
     add_dancing_commands(table);
@@ -87,6 +87,9 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     }
     // Checked after parsing, since file and options together make the values.
     if (table.chosen_settings() != nullptr) {
+        for (const std::string& note : settings->notes) {
+            say(note);
+        }
         if (const std::string fault = fault_of(*table.chosen_settings()); !fault.empty()) {
             complain(fault);
             return {nullptr, kExitUsage};

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
 #include "engine/setup/user_folders.hpp"
@@ -153,10 +154,6 @@ const std::array kKeys = std::to_array<Key>({
 // "audio.volume": how errors name a key.
 std::string full_name(const Key& key) { return fmt::format("{}.{}", key.section, key.name); }
 
-std::vector<std::string_view> names_of_keys(const std::vector<std::string>& storage) {
-    return {storage.begin(), storage.end()};
-}
-
 // One text stands for itself, several as a list.
 std::string toml_texts(const Texts& texts) {
     if (texts.size() == 1) {
@@ -224,11 +221,45 @@ std::string assign(const Key& key, const toml::node& node, Settings& settings) {
         key.member);
 }
 
+// The keys of a file that are unknown: a newer version may have written it, and what it says of
+// others holds.
+class UnknownKeys {
+ public:
+    explicit UnknownKeys(std::string file) : file_(std::move(file)) {}
+
+    // The nearest is looked for among `known`.
+    void add(const toml::node& node,
+             const std::string& key,
+             std::span<const std::string_view> known) {
+        constexpr std::size_t kMostLines = 5;
+        if (++count_ <= kMostLines) {
+            const std::string name = printable(key, 60);
+            lines_.push_back(fmt::format("{}: key \"{}\" is unknown and passed over{}",
+                                         where(file_, node.source()),
+                                         name,
+                                         suggestion(name, known)));
+        }
+    }
+    [[nodiscard]] SettingsNotes lines() && {
+        if (count_ > lines_.size()) {
+            lines_.push_back(
+                fmt::format("{}: {} more keys are unknown", file_, count_ - lines_.size()));
+        }
+        return std::move(lines_);
+    }
+
+ private:
+    std::string file_;
+    SettingsNotes lines_;
+    std::size_t count_ = 0;
+};
+
 // Reads one section, such as [audio].
 Expected<void> read_section(const std::string& name,
                             std::string_view section,
                             const toml::table& table,
-                            Settings& settings) {
+                            Settings& settings,
+                            UnknownKeys& unknown) {
     for (const auto& entry : table) {
         const std::string_view name_in_file = entry.first.str();
         const toml::node& node = entry.second;
@@ -240,11 +271,9 @@ Expected<void> read_section(const std::string& name,
         if (key == kKeys.end()) {
             std::vector<std::string> names;
             std::transform(kKeys.begin(), kKeys.end(), std::back_inserter(names), full_name);
-            const std::string unknown = fmt::format("{}.{}", section, name_in_file);
-            return fail(fmt::format("{}: unknown key \"{}\"{}",
-                                    where(name, node.source()),
-                                    unknown,
-                                    suggestion(unknown, names_of_keys(names))));
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            unknown.add(node, fmt::format("{}.{}", section, name_in_file), known);
+            continue;
         }
         const std::string fault = assign(*key, node, settings);
         if (!fault.empty()) {
@@ -255,7 +284,10 @@ Expected<void> read_section(const std::string& name,
 }
 
 // Reads a whole document over `settings`.
-Expected<void> read_table(const std::string& name, const toml::table& table, Settings& settings) {
+Expected<void> read_table(const std::string& name,
+                          const toml::table& table,
+                          Settings& settings,
+                          UnknownKeys& unknown) {
     // Both are optional: a file written by hand may consist of keys alone. They are checked before
     // the keys, so that a newer file is told from one with a mistake.
     const std::int64_t version = table["version"].value_or(kVersion);
@@ -276,15 +308,16 @@ Expected<void> read_table(const std::string& name, const toml::table& table, Set
         }
         const bool is_section =
             std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == key; });
-        if (!is_section || !node.is_table()) {
+        if (is_section && !node.is_table()) {
+            return fail(fmt::format("{}: {} must be a section", where(name, node.source()), key));
+        }
+        if (!is_section) {
             constexpr std::array<std::string_view, 5> kKnown = {
                 "audio", "dance", "picture", "format", "version"};
-            return fail(fmt::format("{}: unknown key \"{}\"{}",
-                                    where(name, node.source()),
-                                    key,
-                                    suggestion(key, kKnown)));
+            unknown.add(node, std::string(key), kKnown);
+            continue;
         }
-        if (auto read = read_section(name, key, *node.as_table(), settings); !read) {
+        if (auto read = read_section(name, key, *node.as_table(), settings, unknown); !read) {
             return read;
         }
     }
@@ -319,24 +352,27 @@ const std::array kNames = std::to_array<Name>({
 
 }  // namespace
 
-Expected<void> parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+Expected<SettingsNotes> parse_settings(std::string_view text,
+                                       const std::string& name,
+                                       Settings& settings) {
     const auto table = parse_toml(text, name);
     if (!table) {
         return fail(table.error());
     }
     // Read into a copy, so that an error leaves the caller's settings as they were.
     Settings result = settings;
-    if (auto read = read_table(name, *table, result); !read) {
-        return read;
+    UnknownKeys unknown(name);
+    if (auto read = read_table(name, *table, result, unknown); !read) {
+        return fail(std::move(read.error()));
     }
     if (const std::vector<std::string> faults = validate(result); !faults.empty()) {
         return fail(name + ": " + faults.front());
     }
     settings = result;
-    return {};
+    return std::move(unknown).lines();
 }
 
-Expected<void> read_settings(const fs::path& path, Settings& settings) {
+Expected<SettingsNotes> read_settings(const fs::path& path, Settings& settings) {
     // 1 MiB at most: a wrong file is refused before it fills the memory.
     const auto text = read_text_file(path, std::size_t{1} << 20U);
     if (!text) {
@@ -418,8 +454,8 @@ fs::path user_settings_path() {
 
 fs::path user_cache_path() { return xdg_folder("XDG_CACHE_HOME", ".cache"); }
 
-Expected<Settings> load_settings() {
-    Settings settings;
+Expected<LoadedSettings> load_settings() {
+    LoadedSettings loaded;
     std::vector<fs::path> files;
     if (const auto installed = data_path("config/default.toml")) {
         files.push_back(*installed);
@@ -431,11 +467,13 @@ Expected<Settings> load_settings() {
         if (file.empty() || !fs::exists(file, ignored)) {
             continue;
         }
-        if (auto read = read_settings(file, settings); !read) {
+        auto read = read_settings(file, loaded.settings);
+        if (!read) {
             return fail(read.error());
         }
+        loaded.notes.insert(loaded.notes.end(), read->begin(), read->end());
     }
-    return settings;
+    return loaded;
 }
 
 Expected<fs::path> data_path(const fs::path& relative) {

@@ -54,14 +54,18 @@ struct Settings {
     bool overlay = true;              ///< tempo, bar, dance and levels over the picture
 };
 
-/// Reads a TOML file over `settings`: keys that it lacks keep their value. Errors name file, line
-/// and key; an unknown key names the nearest known one, a value out of range the range. On error
-/// `settings` is unchanged.
-[[nodiscard]] Expected<void> read_settings(const std::filesystem::path& path, Settings& settings);
-/// The same from a text; `name` stands for the file in errors.
-[[nodiscard]] Expected<void> parse_settings(std::string_view toml,
-                                            const std::string& name,
-                                            Settings& settings);
+/// Lines for people.
+using SettingsNotes = std::vector<std::string>;
+/// Reads a TOML file over `settings`: keys that it lacks keep their value. Returns a line for each
+/// key that is unknown (that of a newer version, or misspelt: it names the nearest known one), up
+/// to six; such keys are passed over. Errors name file, line and key; a value out of range the
+/// range. On error `settings` is unchanged.
+[[nodiscard]] Expected<SettingsNotes> read_settings(const std::filesystem::path& path,
+                                                    Settings& settings);
+/// The same from a text; `name` stands for the file in lines and errors.
+[[nodiscard]] Expected<SettingsNotes> parse_settings(std::string_view toml,
+                                                     const std::string& name,
+                                                     Settings& settings);
 
 /// Every fault of the values, one line each; for those of the command line too. Empty: none.
 [[nodiscard]] std::vector<std::string> validate(const Settings& settings);
@@ -73,9 +77,14 @@ struct Settings {
 /// neither variable names an absolute path.
 [[nodiscard]] std::filesystem::path user_settings_path();
 
+/// What load_settings() has read.
+struct LoadedSettings {
+    Settings settings;    ///< of all files
+    SettingsNotes notes;  ///< of read_settings
+};
 /// The installed and the user's file, where they exist, read over the defaults in this order.
 /// Errors: as read_settings.
-[[nodiscard]] Expected<Settings> load_settings();
+[[nodiscard]] Expected<LoadedSettings> load_settings();
 
 /// A file that comes with Raks (`models/trained/x.json`, `config/default.toml`): below $RAKS_DATA,
 /// or beside the program's installation or build, searched in this order. Errors: it is in none.

@@ -144,7 +144,7 @@ TEST_F(BadInput, a_file_full_of_nan_is_analyzed_as_silence) {
     EXPECT_EQ(result.out.find("null"), std::string::npos);
 }
 
-TEST_F(BadInput, an_unknown_key_in_the_settings_names_the_nearest) {
+TEST_F(BadInput, an_unknown_key_in_the_settings_is_said_and_stops_nothing) {
     std::filesystem::create_directories(folder_ / "config" / "raks");
     ASSERT_TRUE(
         write_file(folder_ / "config" / "raks" / "config.toml", "[picture]\nthme = \"x\"\n"));
