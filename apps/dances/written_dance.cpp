@@ -1,7 +1,5 @@
 #include "apps/dances/written_dance.hpp"
 
-#include <unistd.h>
-
 #include <cstdint>
 #include <string>
 #include <system_error>
@@ -11,7 +9,7 @@
 #include "base/hash.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_folder.hpp"
-#include "engine/setup/settings.hpp"
+#include "engine/setup/user_folders.hpp"
 #include "motion/choreography/follow_figure.hpp"
 
 #include <fmt/format.h>
@@ -32,21 +30,6 @@ constexpr int kLearningVersion = 2;
 bool is_whole(const fs::path& folder) {
     std::error_code ignored;
     return fs::exists(engine::dances_path(folder), ignored);  // written last
-}
-
-// The folder to learn into: below the user's cache, or temporary where that cannot be made or
-// written. The temporary one carries the process' number, since nobody cleans it up for others.
-fs::path folder_for(const std::string& name) {
-    const fs::path kept = engine::user_cache_path();
-    std::error_code error;
-    if (!kept.empty()) {
-        const fs::path folder = kept / "written" / name;
-        fs::create_directories(folder, error);
-        if (!error && access(folder.c_str(), W_OK) == 0) {
-            return folder;
-        }
-    }
-    return temporary_folder() / fmt::format("raks-{}-{}", name, getpid());
 }
 
 std::vector<motion::DanceRole> roles_of(const motion::AuthoredDance& dance) {
@@ -134,8 +117,9 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
     }
     // Same text and same way of learning, same folder.
     const std::uint64_t hash = hash_of(fmt::format("{}\n{}", kLearningVersion, *text));
-    const fs::path folder = folder_for(fmt::format("{}-{:016x}", dance->dance, hash));
-    if (is_whole(folder)) {
+    auto folder =
+        engine::kept_folder(fs::path("written") / fmt::format("{}-{:016x}", dance->dance, hash));
+    if (!folder || is_whole(*folder)) {
         return folder;
     }
     const auto learnt = learn_figures(*dance, {}, skeleton, {});
@@ -148,7 +132,7 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
         figures.push_back({&one.model, 1.0});
     }
     if (auto added =
-            engine::add_to_folder(folder, info_of(*dance), figures, couple_form_of(*dance));
+            engine::add_to_folder(*folder, info_of(*dance), figures, couple_form_of(*dance));
         !added) {
         return fail(std::move(added.error()));
     }

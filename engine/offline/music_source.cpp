@@ -1,7 +1,5 @@
 #include "engine/offline/music_source.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <limits>
 #include <system_error>
@@ -11,7 +9,7 @@
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
-#include "engine/setup/settings.hpp"
+#include "engine/setup/user_folders.hpp"
 
 #include <fmt/format.h>
 
@@ -128,32 +126,28 @@ std::string starts_behind_end(const fs::path& path, double length, double start)
 
 Expected<fs::path> demo_music() {
     const std::string name = fmt::format("demo_{}.wav", kDemoVersion);
-    std::vector<fs::path> places;
-    if (const fs::path cache = user_cache_path(); !cache.empty()) {
-        places.push_back(cache / name);
+    const auto folder = kept_folder({});
+    if (!folder) {
+        return fail(folder.error());
     }
-    // Of this user alone: others may have a file of that name there.
-    places.push_back(temporary_folder() / fmt::format("raks-{}", ::getuid()) / name);
     // Made by an earlier run of the same version.
-    const auto made = std::find_if(places.begin(), places.end(), is_there);
-    if (made != places.end()) {
-        return *made;
+    fs::path place = *folder / name;
+    if (is_there(place)) {
+        return place;
     }
     const auto music = audio::generate(audio::demo_plan());
     if (!music) {
         return fail(music.error());
     }
-    Expected<void> written;
-    for (const fs::path& place : places) {
-        std::error_code error;
-        fs::create_directories(place.parent_path(), error);
-        // A folder that cannot be written does not stop the dance.
-        written = audio::write_wav(place, music->samples, music->channels, music->rate);
-        if (written) {
-            return place;
+    auto written = audio::write_wav(place, music->samples, music->channels, music->rate);
+    // A disk that is full does not stop the dance.
+    if (!written) {
+        if (const auto other = private_temporary_folder()) {
+            place = *other / name;
+            written = audio::write_wav(place, music->samples, music->channels, music->rate);
         }
     }
-    return fail(written.error());
+    return written ? Expected<fs::path>(place) : fail(written.error());
 }
 
 }  // namespace raks::engine

@@ -1,11 +1,17 @@
 #include "engine/setup/user_folders.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <string>
 #include <system_error>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "engine/setup/settings.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::engine {
 namespace {
@@ -60,6 +66,40 @@ fs::path xdg_folder(const char* variable, const fs::path& below_home) {
         return home / below_home / "raks";
     }
     return {};
+}
+
+Expected<fs::path> private_temporary_folder() {
+    fs::path folder = temporary_folder() / fmt::format("raks-{}", ::geteuid());
+    // Where it is there already, what it is decides.
+    const bool is_made = ::mkdir(folder.c_str(), 0700) == 0;
+    const std::error_code why_not(errno, std::generic_category());
+    struct stat status {};
+    if (::lstat(folder.c_str(), &status) != 0) {
+        return fail(folder.string() + ": cannot be made: " + why_not.message());
+    }
+    if (!is_made && (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid() ||
+                     (status.st_mode & 0777U) != 0700U)) {
+        return fail(folder.string() +
+                    ": is not used: it is no folder that only you may enter, and others may have "
+                    "put something there; set HOME or XDG_CACHE_HOME to a folder of yours");
+    }
+    return folder;
+}
+
+Expected<fs::path> kept_folder(const fs::path& name) {
+    if (const fs::path cache = user_cache_path(); !cache.empty()) {
+        fs::path folder = cache / name;
+        if (make_folders(folder) && ::access(folder.c_str(), W_OK) == 0) {
+            return folder;
+        }
+    }
+    auto folder = private_temporary_folder();
+    if (!folder) {
+        return folder;
+    }
+    *folder /= name;
+    auto made = make_folders(*folder);
+    return made ? std::move(folder) : fail(std::move(made.error()));
 }
 
 fs::path pictures_folder() {

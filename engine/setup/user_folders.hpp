@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/expected.hpp"
+
 namespace raks::engine {
 
 /// Raks's own folder among those of one kind that the XDG Base Directory Specification names:
@@ -11,6 +13,17 @@ namespace raks::engine {
 /// ".local/state". Threads: main, before others could set variables.
 [[nodiscard]] std::filesystem::path xdg_folder(const char* variable,
                                                const std::filesystem::path& below_home);
+
+/// TMP/raks-UID: for files that can be made again where user_cache_path() is no place for them.
+/// Made where it is missing, for this user alone. Errors: it cannot be made; what has the name is
+/// not a folder of this user's that nobody else may enter: others may have put something there.
+/// Threads: main. Real-time: no.
+[[nodiscard]] Expected<std::filesystem::path> private_temporary_folder();
+
+/// `name` below user_cache_path(), or below private_temporary_folder() where that is unknown or
+/// cannot be written. The folder exists. Errors: those of private_temporary_folder(). Threads:
+/// main. Real-time: no.
+[[nodiscard]] Expected<std::filesystem::path> kept_folder(const std::filesystem::path& name);
 
 /// Where a person's pictures are kept: as `xdg-user-dir PICTURES` says it; else ~/Pictures where
 /// that is there; else the current folder, as an empty path. The folder exists. Threads: main.

@@ -1,10 +1,19 @@
 #include "engine/setup/user_folders.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/mangled.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::engine {
 namespace {
@@ -35,6 +44,64 @@ TEST(UserFolders, damaged_files_give_an_absolute_path_or_none) {
     for (std::size_t length = 0; length <= kDirs.size(); ++length) {
         const auto folder = user_folder_in(kDirs.substr(0, length), "XDG_PICTURES_DIR", "/h");
         EXPECT_TRUE(folder.empty() || folder.is_absolute());
+    }
+}
+
+/// With a folder for temporary files of its own, and none that the user has.
+class WithoutHome : public testing::Test {
+ protected:
+    void SetUp() override {
+        for (const char* name : {"TMPDIR", "HOME", "XDG_CACHE_HOME"}) {
+            const char* const value = std::getenv(name);
+            before_.emplace_back(
+                name, value != nullptr ? std::optional<std::string>(value) : std::nullopt);
+            ::unsetenv(name);
+        }
+        ::setenv("TMPDIR", temporary_.path().c_str(), 1);
+    }
+    void TearDown() override {
+        for (const auto& [name, value] : before_) {
+            value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
+        }
+    }
+    test::TemporaryFolder temporary_;
+    std::filesystem::path folder_ = temporary_ / fmt::format("raks-{}", ::geteuid());
+
+ private:
+    std::vector<std::pair<std::string, std::optional<std::string>>> before_;
+};
+
+TEST_F(WithoutHome, a_temporary_folder_of_this_user_alone_takes_what_is_kept) {
+    EXPECT_EQ(kept_folder("a").value(), folder_ / "a");
+    EXPECT_EQ(kept_folder("b").value(), folder_ / "b") << "it is found again";
+    struct stat status {};
+    ASSERT_EQ(::stat(folder_.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, 0700U);
+}
+
+TEST_F(WithoutHome, what_others_may_have_made_is_not_used) {
+    const auto expect_refused = [&](const char* what) {
+        const auto kept = kept_folder("a");
+        EXPECT_FALSE(kept) << what;
+        EXPECT_EQ(kept ? "" : kept.error().message.substr(0, folder_.string().size() + 13),
+                  folder_.string() + ": is not used");
+        EXPECT_FALSE(is_there(folder_ / "a")) << what;
+        std::filesystem::remove(folder_);
+    };
+    ASSERT_TRUE(write_file(folder_, ""));
+    expect_refused("a file");
+    std::filesystem::create_directory(temporary_ / "other");
+    ::chmod((temporary_ / "other").c_str(), 0700);
+    std::filesystem::create_directory_symlink(temporary_ / "other", folder_);
+    expect_refused("a link");
+    std::filesystem::create_directory(folder_);
+    ::chmod(folder_.c_str(), 0777);
+    expect_refused("a folder that all may write");
+    if (::geteuid() == 0) {  // nobody else may give folders away
+        std::filesystem::create_directory(folder_);
+        ::chmod(folder_.c_str(), 0700);
+        ASSERT_EQ(::chown(folder_.c_str(), 12'345, 12'345), 0);
+        expect_refused("a stranger's");
     }
 }
 
