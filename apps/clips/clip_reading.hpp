@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "apps/clips/joint_options.hpp"
+#include "base/expected.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 
 namespace raks::apps {
@@ -11,5 +14,11 @@ namespace raks::apps {
 /// file's. `skeleton`: of an .amc; empty: looked for beside it.
 [[nodiscard]] motion::MotionReadOptions clip_reading(double fps,
                                                      const std::filesystem::path& skeleton = {});
+
+/// Whether files that options name can be opened and the joints be read, also where the command
+/// will have no use for them. Paths may be empty: none. Errors: the first that cannot; those of
+/// JointArguments::labels.
+[[nodiscard]] Expected<void> check_clip_options(const JointArguments& joints,
+                                                const std::vector<std::filesystem::path>& files);
 
 }  // namespace raks::apps

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/command_table.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/setup/settings.hpp"
@@ -20,7 +21,8 @@ class RaksCommands : public CommandTable {
         add_talk_options(app());
     }
 
-    /// As CommandTable::add; arguments that have settings get those of the files first.
+    /// As CommandTable::add; arguments that have settings get those of the files first. Whatever
+    /// the command does with them, avatars and label files that are named must be there.
     template <typename Arguments>
     Command<Arguments> add(CLI::App& parent,
                            const char* name,
@@ -30,11 +32,17 @@ class RaksCommands : public CommandTable {
         add_talk_options(*command.app);
         if constexpr (requires { command.arguments->settings; }) {
             command.arguments->settings = settings_;
-            command.app->callback([this, arguments = command.arguments, run] {
-                chosen_settings_ = {arguments, &arguments->settings};
-                choose([arguments, run] { return run(*arguments); });
-            });
         }
+        command.app->callback([this, command, run] {
+            if constexpr (requires { command.arguments->settings; }) {
+                chosen_settings_ = {command.arguments, &command.arguments->settings};
+            }
+            const bool has_avatars = command.app->get_option_no_throw("--avatar") != nullptr;
+            choose([arguments = command.arguments, has_avatars, run] {
+                auto checked = check_files(*arguments, has_avatars);
+                return checked ? run(*arguments) : ExitCode(fail(std::move(checked.error())));
+            });
+        });
         return command;
     }
 
@@ -44,6 +52,16 @@ class RaksCommands : public CommandTable {
     }
 
  private:
+    // Those that options name. `has_avatars`: settings name some, too.
+    template <typename Arguments>
+    [[nodiscard]] static Expected<void> check_files(const Arguments& arguments, bool has_avatars) {
+        if constexpr (requires { arguments.options.labels; }) {
+            return check_labels(arguments.options.labels);
+        } else if constexpr (requires { arguments.settings; }) {
+            return has_avatars ? check_avatars(arguments.settings) : Expected<void>();
+        }
+        return {};
+    }
     // -q and -v stand before or behind the command.
     static void add_talk_options(CLI::App& app) {
         app.add_flag_callback(

@@ -40,7 +40,7 @@ Writer writer_of(const Path& output) {
 
 bool is_with_figure(const Path& output) { return output.extension() == ".glb"; }
 
-// Of the avatars of an output that holds figures. Empty: the mannequin's.
+// Of the avatars. Empty: the mannequin's.
 Expected<std::vector<Path>> avatar_files(const DanceArguments& arguments) {
     std::vector<Path> files;
     for (const std::string& name : arguments.settings.avatars) {
@@ -65,6 +65,9 @@ Expected<std::vector<render::Model>> figures_of(const std::vector<Path>& files,
         auto figure = engine::load_to_give_away(file, options);
         if (!figure) {
             return fail(std::move(figure.error()));
+        }
+        if (auto checked = engine::check_has_surface(*figure, file); !checked) {
+            return fail(std::move(checked.error()));
         }
         for (const std::string& warning : figure->warnings) {
             say_detail(warning);
@@ -150,7 +153,7 @@ ExitCode dance(const DanceArguments& given) {
         return fail(arguments.output.string() +
                     ": cannot write this kind of motion; known: .bvh, .vrma, .glb");
     }
-    auto avatars = write == nullptr ? avatar_files(arguments) : std::vector<Path>();
+    auto avatars = avatar_files(arguments);
     if (!avatars) {
         return fail(std::move(avatars.error()));
     }
@@ -163,9 +166,18 @@ ExitCode dance(const DanceArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto figures = figures_of(*avatars, avatar_options(arguments.settings));
+    if (write != nullptr) {
+        std::erase(*avatars, Path());
+    }
+    auto figures = figures_of(*avatars, avatar_options(arguments.settings));
     if (!figures) {
         return fail(figures.error());
+    }
+    // Avatars are loaded all the same: what cannot be worn is said.
+    if (write != nullptr && !figures->empty()) {
+        say(arguments.output.string() +
+            ": is to hold motion on the mannequin's body; only X.glb has the avatar");
+        figures->clear();
     }
     const auto setup = open_dancers(arguments.settings, bodies_of(*figures));
     if (!setup) {

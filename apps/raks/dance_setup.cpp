@@ -37,6 +37,23 @@ engine::AvatarOptions avatar_options(const engine::Settings& settings) {
     return options;
 }
 
+Expected<void> check_labels(const fs::path& labels) {
+    if (labels.empty()) {
+        return {};
+    }
+    const auto read = engine::load_labels(labels);
+    return read ? Expected<void>() : fail(read.error());
+}
+
+Expected<void> check_avatars(const engine::Settings& settings) {
+    for (const std::string& name : settings.avatars) {
+        if (const auto found = engine::find_avatar(name); !found) {
+            return fail(found.error());
+        }
+    }
+    return check_labels(settings.avatar_labels);
+}
+
 Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                        const engine::Settings& settings) {
     auto clip = engine::AvatarClip::load(

@@ -26,6 +26,14 @@ struct DanceSetup {
 /// What the settings say of the avatar's file.
 [[nodiscard]] engine::AvatarOptions avatar_options(const engine::Settings& settings);
 
+/// Whether a label file that a person names can be read; an empty path can. Errors: those of
+/// engine::load_labels.
+[[nodiscard]] Expected<void> check_labels(const std::filesystem::path& labels);
+
+/// Whether there are the avatars and the label file that the settings name: before any work, for
+/// commands that take them, also where nobody is seen. Errors: the first that is not there.
+[[nodiscard]] Expected<void> check_avatars(const engine::Settings& settings);
+
 /// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
 /// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of
 /// engine::AvatarClip::load.

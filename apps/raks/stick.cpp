@@ -129,7 +129,7 @@ Expected<void> check_options(const StickArguments& arguments) {
     if (!arguments.other.empty() && has_joints) {
         return fail("--joint, --joints and --write-joints are for one motion");
     }
-    return {};
+    return check_clip_options(arguments.joints, {arguments.skeleton});
 }
 
 }  // namespace

@@ -198,6 +198,15 @@ ExitCode propose_figure(const TrainFigureArguments& arguments) {
 }  // namespace
 
 ExitCode train_figure(const TrainFigureArguments& arguments) {
+    if (auto checked = check_clip_options(arguments.joints,
+                                          {arguments.labels,
+                                           arguments.counts,
+                                           arguments.faults,
+                                           arguments.skeleton,
+                                           arguments.music});
+        !checked) {
+        return fail(std::move(checked.error()));
+    }
     // A .toml is a written dance, all else is captured.
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {
         if (!arguments.propose.empty() || arguments.once) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/clips/clip_reading.hpp"
 #include "apps/raks_train/commands.hpp"
 #include "apps/reports/figure_report_page.hpp"
 #include "apps/terminal/say.hpp"
@@ -221,6 +222,12 @@ std::string summary_of(const ReportData& data) {
 }  // namespace
 
 ExitCode train_report(const TrainReportArguments& arguments) {
+    if (auto checked = check_clip_options(
+            arguments.joints,
+            {arguments.labels, arguments.counts, arguments.faults, arguments.skeleton});
+        !checked) {
+        return fail(std::move(checked.error()));
+    }
     // The same figure twice would be told apart from itself.
     for (auto figure = arguments.figures.begin(); figure != arguments.figures.end(); ++figure) {
         if (std::find(arguments.figures.begin(), figure, *figure) != figure) {

@@ -1,5 +1,6 @@
 #include "engine/show/avatar_model.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -56,6 +57,18 @@ Expected<AvatarModel> load_avatar_model(const fs::path& file, const AvatarOption
     }
     render::RigOptions rig = stand_model(*model, options.height);
     return AvatarModel{std::move(*model), std::move(rig)};
+}
+
+Expected<void> check_has_surface(const render::Model& model, const fs::path& file) {
+    const auto is_drawn = [&](const render::ModelNode& node) {
+        return node.mesh >= 0 &&
+               !model.meshes[static_cast<std::size_t>(node.mesh)].primitives.empty();
+    };
+    if (std::any_of(model.nodes.begin(), model.nodes.end(), is_drawn)) {
+        return {};
+    }
+    return fail(printable(file.string()) +
+                ": has bones, but no surface to draw; an avatar is a model, not motion");
 }
 
 }  // namespace raks::engine

@@ -39,4 +39,9 @@ struct AvatarModel {
 [[nodiscard]] Expected<AvatarModel> load_avatar_model(const std::filesystem::path& file,
                                                       const AvatarOptions& options = {});
 
+/// Whether a model that was read from `file` can be worn. Errors: it has nothing to draw, as motion
+/// or a skeleton alone has not. Threads: any.
+[[nodiscard]] Expected<void> check_has_surface(const render::Model& model,
+                                               const std::filesystem::path& file);
+
 }  // namespace raks::engine

@@ -114,6 +114,9 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions&
     if (!figure) {
         return fail(std::move(figure.error()));
     }
+    if (auto checked = check_has_surface(figure->model, *path); !checked) {
+        return fail(std::move(checked.error()));
+    }
     LoadedAvatar loaded = make_avatar(*figure, path->filename().string());
     loaded.name = path->string();
     return loaded;

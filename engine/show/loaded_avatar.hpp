@@ -43,7 +43,8 @@ struct LoadedAvatar {
 /// Real-time: no.
 [[nodiscard]] LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file);
 
-/// Loads what a setting names (find_avatar). Errors: those of find_avatar and load_avatar_model.
+/// Loads what a setting names (find_avatar). Errors: those of find_avatar, load_avatar_model and
+/// check_has_surface.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<LoadedAvatar> load_avatar(const std::string& name,
                                                  const AvatarOptions& options = {});

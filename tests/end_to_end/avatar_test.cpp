@@ -298,6 +298,36 @@ TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
     expect_one_line({"render", "--motion", path("no.vrma"), "-o", path("y.mp4")}, 1, "no.vrma");
 }
 
+TEST_F(Avatar, that_is_not_there_or_cannot_be_seen_is_refused_by_every_command) {
+    write_clicks("song.wav", 1.0);
+    const std::string song = path("song.wav");
+    const std::string motion = (kModels / "six_poses.vrma").string();
+    const std::vector<std::vector<std::string>> commands = {
+        {"dance", song, "-o", path("x.bvh")},
+        {"dance", song, "-o", path("x.vrma")},
+        {"dance", song, "-o", path("x.glb")},
+        {"render", song, "-o", path("x.mp4"), "--size", "64x64"},
+        {"sheet", "--dance", "waltz", "-o", path("x.png")},
+        {"play", song, "--headless", "--no-sound"},
+        {"live", "--headless", "--duration", "1"}};
+    for (const std::vector<std::string>& command : commands) {
+        SCOPED_TRACE(command.front() + " " + command.back());
+        const auto with = [&](const char* option, const std::string& value) {
+            auto whole = command;
+            whole.insert(whole.end(), {option, value});
+            return whole;
+        };
+        expect_one_line(with("--avatar", "nosuch"), 1, "no avatar \"nosuch\": neither a file nor");
+        expect_one_line(with("--labels", path("nosuch")), 1, "nosuch: ");
+        if (command.front() != "live") {  // there is no input that it could listen to
+            expect_one_line(
+                with("--avatar", motion), 1, "six_poses.vrma: has bones, but no surface to draw");
+        }
+    }
+    expect_one_line({"avatar", "export", path("x.obj"), "--labels", path("nosuch")}, 1, "nosuch: ");
+    EXPECT_EQ(files(), std::vector<std::string>{"song.wav"});
+}
+
 /// Bytes of a film in a row somewhere.
 bool holds(const fs::path& file, const std::string& text) {
     return read_file(file).value().find(text) != std::string::npos;
@@ -388,6 +418,9 @@ TEST_F(Avatar, one_of_several_that_cannot_be_read_is_told_in_one_line) {
     auto broken = film;
     broken.push_back(path("bad.glb"));
     expect_one_line(broken, 1, "bad.glb: cut within its head");
+    ASSERT_TRUE(write_file(path("x.toml"),
+                           "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n"
+                           "hips = \"Hips\"\n"));
     auto labelled = film;
     labelled.insert(labelled.end(), {"mannequin", "--labels", path("x.toml")});
     expect_one_line(labelled, 1, "--labels says which nodes are the bones of one avatar");

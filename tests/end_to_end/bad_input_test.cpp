@@ -146,10 +146,34 @@ TEST_F(BadInput, a_file_full_of_nan_is_analyzed_as_silence) {
 
 TEST_F(BadInput, an_unknown_key_in_the_settings_is_said_and_stops_nothing) {
     std::filesystem::create_directories(folder_ / "config" / "raks");
-    ASSERT_TRUE(
-        write_file(folder_ / "config" / "raks" / "config.toml", "[picture]\nthme = \"x\"\n"));
-    expect_one_line({"devices"}, 2, "did you mean \"picture.theme\"?");
-    expect_one_line({"config", "show"}, 1, "did you mean \"picture.theme\"?");
+    ASSERT_TRUE(write_file(folder_ / "config" / "raks" / "config.toml",
+                           "[picture]\nthme = \"x\"\nfps = 25.0\n"));
+    write_clicks("x.wav", 1.0);
+    const ProcessResult danced = run({"dance", path("x.wav"), "-o", path("x.bvh")});
+    EXPECT_EQ(danced.exit_code, 0);
+    EXPECT_TRUE(is_one_error_line(danced.err)) << danced.err;
+    EXPECT_NE(danced.err.find("did you mean \"picture.theme\"?"), std::string::npos) << danced.err;
+    const ProcessResult shown = run({"config", "show"});
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+    EXPECT_NE(shown.out.find("fps = 25.0 "), std::string::npos) << "the other keys hold";
+    EXPECT_NE(shown.err.find("did you mean \"picture.theme\"?"), std::string::npos) << shown.err;
+}
+
+TEST_F(BadInput, files_that_options_name_must_be_there_also_where_nothing_needs_them) {
+    const std::string dance =
+        (std::filesystem::path(RAKS_SOURCE_DIR) / "config" / "choreographies" / "waltz.toml")
+            .string();
+    for (const char* const option : {"--joints", "--skeleton"}) {
+        expect_one_line(
+            {"stick", dance, "-o", path("x.png"), option, path("nosuch")}, 1, "nosuch: cannot be");
+    }
+    for (const char* const option :
+         {"--joints", "--skeleton", "--labels", "--counts", "--faults", "--music"}) {
+        expect_one_line({"train", "figure", dance, "-o", path("x/"), option, path("nosuch")},
+                        1,
+                        "nosuch: cannot be");
+    }
+    EXPECT_EQ(files(), std::vector<std::string>{});
 }
 
 TEST_F(BadInput, help_and_the_way_to_the_settings_are_given_whatever_the_settings_say) {
