@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <semaphore.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -233,10 +234,29 @@ void end_in_time() {
 std::atomic<bool> g_end_is_said{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "handlers of signals use it");
 
-// A fault of ours, or of a library that ran out of memory: one line in place of silence. Only what
-// a handler may do; the signal then ends the process as it would have.
+// Whether as much as the largest picture needs cannot be had any more.
+bool is_memory_short() noexcept {
+    constexpr std::size_t kMuch = std::size_t{256} << 20U;
+    void* const much =
+        ::mmap(nullptr, kMuch, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (much == MAP_FAILED) {
+        return true;
+    }
+    ::munmap(much, kMuch);
+    return false;
+}
+
+// A fault of ours, or of a library that does not look whether it got the memory that it asked for,
+// as drivers of graphics do: then the work has failed. One line in place of silence. Only what a
+// handler may do; the signal of another fault then ends the process as it would have.
 extern "C" void say_fault(int number) {
     if (g_end_is_said.exchange(true)) {
+        _exit(kExitFailed);
+    }
+    if (is_memory_short()) {
+        constexpr std::string_view kLine = "raks: out of memory, in a library\n";
+        [[maybe_unused]] const auto written =
+            ::write(descriptor_of_lines(), kLine.data(), kLine.size());
         _exit(kExitFailed);
     }
     const char* const line =

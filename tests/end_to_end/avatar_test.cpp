@@ -328,6 +328,20 @@ TEST_F(Avatar, that_is_not_there_or_cannot_be_seen_is_refused_by_every_command) 
     EXPECT_EQ(files(), std::vector<std::string>{"song.wav"});
 }
 
+TEST_F(Avatar, too_large_for_the_memory_is_said_in_one_line) {
+    give("smoke_spring.vrm", "Anna.vrm");
+    // Drivers of graphics do not look whether they got what they asked for.
+    for (const long megabytes : {250, 270, 290, 350, 430, 490, 570, 610, 650}) {
+        ProcessPlan little = plan({"xbody", "Anna", "-o", path("x.png")});
+        little.address_space_limit = megabytes << 20;
+        const ProcessResult result = run_process(little);
+        EXPECT_FALSE(result.timed_out);
+        EXPECT_TRUE(result.exit_code == 0 ||
+                    (result.exit_code == 1 && is_one_error_line(result.err)))
+            << megabytes << " MB: " << result.exit_code << " " << result.err;
+    }
+}
+
 /// Bytes of a film in a row somewhere.
 bool holds(const fs::path& file, const std::string& text) {
     return read_file(file).value().find(text) != std::string::npos;
