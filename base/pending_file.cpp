@@ -1,6 +1,7 @@
 #include "base/pending_file.hpp"
 
 #include <fcntl.h>
+#include <stdio.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
@@ -229,7 +230,8 @@ PendingFile::PendingFile(PendingFile&& other) noexcept
     : path_(std::move(other.path_)),
       part_(std::exchange(other.part_, {})),
       file_(std::exchange(other.file_, -1)),
-      is_named_(other.is_named_) {}
+      is_named_(other.is_named_),
+      is_copy_(other.is_copy_) {}
 
 PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
     if (this != &other) {
@@ -238,6 +240,7 @@ PendingFile& PendingFile::operator=(PendingFile&& other) noexcept {
         part_ = std::exchange(other.part_, {});
         file_ = std::exchange(other.file_, -1);
         is_named_ = other.is_named_;
+        is_copy_ = other.is_copy_;
     }
     return *this;
 }
@@ -292,6 +295,30 @@ Expected<PendingFile> PendingFile::create(const fs::path& path, AtEnd at_end) {
     return PendingFile(target, std::move(*part), file);
 }
 
+Expected<PendingFile> PendingFile::create_changed_folder(const fs::path& path) {
+    if (auto made = make_folders(path); !made) {
+        return fail(std::move(made.error()));
+    }
+    // At the end of links, and without dots: what is exchanged must have a name.
+    std::error_code error;
+    const fs::path folder = fs::canonical(path, error);
+    if (error) {
+        return fail(cannot_write(path, error.value()));
+    }
+    auto copy = make_marked_folder_part(folder);
+    if (!copy) {
+        return copy;
+    }
+    copy->is_copy_ = true;
+    fs::permissions(copy->part_, fs::status(folder, error).permissions(), error);
+    fs::copy(folder,
+             copy->part_,
+             fs::copy_options::recursive | fs::copy_options::create_hard_links |
+                 fs::copy_options::copy_symlinks,
+             error);
+    return error ? fail(cannot_write(path, error.value())) : std::move(copy);
+}
+
 Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
     if (path.empty()) {
         return fail("a folder name is empty; name a folder to write");
@@ -303,6 +330,11 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
         !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
         return fail(folder.string() + ": exists already and is not an empty folder; name another");
     }
+    return make_folder_part(folder);
+}
+
+// An empty one beside the folder.
+Expected<PendingFile> PendingFile::make_folder_part(const fs::path& folder) {
     const std::lock_guard lock(pending_files().mutex);
     auto part = make_part(folder, [](const char* name) { return ::mkdir(name, 0777) == 0; });
     if (!part) {
@@ -310,6 +342,25 @@ Expected<PendingFile> PendingFile::create_folder(const fs::path& path) {
     }
     pending_files().to_remove.push_back(*part);
     return PendingFile(folder, std::move(*part));
+}
+
+// The same under the name that the next process looks at, as of a file that replaces another.
+Expected<PendingFile> PendingFile::make_marked_folder_part(const fs::path& folder) {
+    const fs::path part = marked_part_of(folder);
+    remove_abandoned_part(part);
+    {
+        const std::lock_guard lock(pending_files().mutex);
+        if (::mkdir(part.c_str(), 0777) == 0) {
+            const int held = ::open(part.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+            if (held >= 0 && mark(held)) {
+                pending_files().to_remove.push_back(part);
+                return PendingFile(folder, part, held);
+            }
+            ::close(held);
+            ::rmdir(part.c_str());
+        }
+    }
+    return make_folder_part(folder);
 }
 
 // All of it, whatever pieces the system takes.
@@ -335,7 +386,8 @@ void remove_abandoned_part(const fs::path& part) {
         ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.get(), &held) == 0 &&
         ::lstat(part.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
         held.st_ino == named.st_ino) {
-        ::unlink(part.c_str());
+        std::error_code ignored;
+        fs::remove_all(part, ignored);
     }
 }
 
@@ -369,6 +421,23 @@ bool PendingFile::give_name() {
     return part.has_value();
 }
 
+// The old folder is marked: where we are killed before it is removed, the next process does that.
+bool PendingFile::exchange() {
+    const Descriptor old(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const bool is_marked = mark(old.get());
+    if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) != 0) {
+        const int reason = errno;
+        if (is_marked) {
+            ::fremovexattr(old.get(), kMark);
+        }
+        errno = reason;
+        return false;
+    }
+    std::error_code ignored;
+    fs::remove_all(part_, ignored);
+    return true;
+}
+
 // Within one folder, so the rename is atomic. Once it is done the new file is there, whatever the
 // folder's disk says then.
 Expected<void> PendingFile::commit() {
@@ -379,11 +448,11 @@ Expected<void> PendingFile::commit() {
     const std::lock_guard lock(pending_files().mutex);
     // Some disks say only when it is closed that they are full. A file without a name must be open
     // until it has one.
-    if (is_named_ ? !close() : !give_name()) {
+    if (is_named_ ? !is_copy_ && !close() : !give_name()) {
         return fail(cannot_write(path_, errno));
     }
     // On an error the destructor removes the part.
-    if (!part_.empty() && ::rename(part_.c_str(), path_.c_str()) != 0) {
+    if (!part_.empty() && !(is_copy_ ? exchange() : ::rename(part_.c_str(), path_.c_str()) == 0)) {
         return fail(cannot_write(path_, errno));
     }
     pending_files().forget(part_);

@@ -32,6 +32,13 @@ class PendingFile {
     /// The same for a folder: part() is an empty one. Errors: the folder exists and is not empty,
     /// or cannot be made.
     [[nodiscard]] static Expected<PendingFile> create_folder(const std::filesystem::path& path);
+    /// The same to change a folder as a whole: part() is a copy of it (its files are hard links:
+    /// they are to be replaced, not written into), which takes its place in commit(). Where there
+    /// is no folder an empty one is made first. A process that is killed leaves the old folder or
+    /// the new one, and beside it NAME.raks.part, as of a file that is replaced. Errors: it cannot
+    /// be made; it cannot be copied, as where there are no hard links.
+    [[nodiscard]] static Expected<PendingFile> create_changed_folder(
+        const std::filesystem::path& path);
     PendingFile(PendingFile&& other) noexcept;             ///< the source then owns nothing
     PendingFile& operator=(PendingFile&& other) noexcept;  ///< removes its own part first
     ~PendingFile();                                        ///< removes the part, unless committed
@@ -56,14 +63,20 @@ class PendingFile {
                 std::filesystem::path part,
                 int file = -1,
                 bool is_named = true);
+    [[nodiscard]] static Expected<PendingFile> make_folder_part(
+        const std::filesystem::path& folder);
+    [[nodiscard]] static Expected<PendingFile> make_marked_folder_part(
+        const std::filesystem::path& folder);
+    [[nodiscard]] bool exchange();
     void remove_part() noexcept;
     [[nodiscard]] bool close() noexcept;
     [[nodiscard]] bool give_name();
 
     std::filesystem::path path_;
     std::filesystem::path part_;  // empty once committed or moved from
-    int file_ = -1;               // open for writing; -1: a folder, or moved from
+    int file_ = -1;               // open for writing, or a folder's copy; -1: none, or moved from
     bool is_named_ = true;        // the part is an entry of its folder
+    bool is_copy_ = false;        // of a folder, which it is exchanged with
 };
 
 /// All that are not committed.

@@ -1,6 +1,9 @@
 #include "engine/setup/dance_folder.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/file.hpp"
@@ -100,22 +103,21 @@ fs::path figure_path(const fs::path& folder,
                                 features == motion::FigureFeatures::positions ? "_positions" : "");
 }
 
-Expected<void> add_to_folder(const fs::path& folder,
-                             const DanceInfo& dance,
-                             std::span<const LearntFigure> figures,
-                             const std::optional<motion::CoupleForm>& couple) {
-    // All names are checked before the first file is written.
-    if (!is_dance_name(dance.name)) {
-        return fail("dance: " + why_no_dance_name(dance.name));
+namespace {
+
+// What is said of a copy is meant of the folder.
+Error named_as(const fs::path& folder, const fs::path& copy, Error error) {
+    const std::string name = copy.string();
+    if (const std::size_t at = error.message.find(name); at != std::string::npos) {
+        error.message.replace(at, name.size(), folder.string());
     }
-    for (const LearntFigure& figure : figures) {
-        if (!motion::is_figure_name(figure.model->name)) {
-            return fail("figure " + motion::why_no_figure_name(figure.model->name));
-        }
-    }
-    if (auto made = make_folders(folder); !made) {
-        return made;
-    }
+    return error;
+}
+
+Expected<void> add_files(const fs::path& folder,
+                         const DanceInfo& dance,
+                         std::span<const LearntFigure> figures,
+                         const std::optional<motion::CoupleForm>& couple) {
     for (const LearntFigure& figure : figures) {
         const motion::FigureModel& model = *figure.model;
         const fs::path path =
@@ -130,6 +132,44 @@ Expected<void> add_to_folder(const fs::path& folder,
         return added;
     }
     return list_dance(folder, dance);
+}
+
+// Where a folder cannot be changed as a whole it is changed file by file. A folder that somebody
+// stands in stays the one that it is.
+Expected<void> change_folder(const fs::path& folder,
+                             const std::function<Expected<void>(const fs::path&)>& change) {
+    std::error_code ignored;
+    auto whole = fs::equivalent(folder, fs::current_path(ignored), ignored)
+                     ? Expected<PendingFile>(fail("it is the current folder"))
+                     : PendingFile::create_changed_folder(folder);
+    if (!whole) {
+        auto made = make_folders(folder);
+        return made ? change(folder) : made;
+    }
+    if (auto changed = change(whole->part()); !changed) {
+        return fail(named_as(folder, whole->part(), std::move(changed.error())));
+    }
+    return whole->commit() ? Expected<void>() : change(folder);
+}
+
+}  // namespace
+
+Expected<void> add_to_folder(const fs::path& folder,
+                             const DanceInfo& dance,
+                             std::span<const LearntFigure> figures,
+                             const std::optional<motion::CoupleForm>& couple) {
+    // All names are checked before the first file is written.
+    if (!is_dance_name(dance.name)) {
+        return fail("dance: " + why_no_dance_name(dance.name));
+    }
+    for (const LearntFigure& figure : figures) {
+        if (!motion::is_figure_name(figure.model->name)) {
+            return fail("figure " + motion::why_no_figure_name(figure.model->name));
+        }
+    }
+    return change_folder(folder, [&](const fs::path& changed) {
+        return add_files(changed, dance, figures, couple);
+    });
 }
 
 }  // namespace raks::engine

@@ -42,7 +42,9 @@ struct LearntFigure {
 /// Makes the folder or adds to it: writes the figures' files, lists the dance where it is not
 /// listed, and adds a rule for each figure that the grammar lacks. Text that is there stays as a
 /// person has edited it; a new grammar says of couples what `couple` does. `dance` with `extends`:
-/// the figures join that dance; their models are of that dance. Errors: a file that cannot be read
+/// the figures join that dance; their models are of that dance. The folder changes as a whole, so
+/// that a process that is killed leaves the old one or the new one; where the system cannot do that
+/// (no hard links; the current folder), file by file. Errors: a file that cannot be read
 /// or written; a figure's name that cannot be part of a file's name. Threads: workers. Real-time:
 /// no.
 [[nodiscard]] Expected<void> add_to_folder(const std::filesystem::path& folder,

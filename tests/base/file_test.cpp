@@ -215,6 +215,44 @@ TEST_F(FileTest, a_part_without_our_mark_or_in_use_stays) {
     close(writer);
 }
 
+TEST_F(FileTest, a_folder_is_changed_as_a_whole_or_not_at_all) {
+    const fs::path folder = folder_ / "dances";
+    fs::create_directories(folder / "inner");
+    ASSERT_TRUE(write_file(folder / "changed", "old"));
+    ASSERT_TRUE(write_file(folder / "inner" / "other", "stays"));
+    for (const bool is_committed : {false, true}) {
+        auto copy = PendingFile::create_changed_folder(folder);
+        ASSERT_TRUE(copy) << copy.error().message;
+        ASSERT_TRUE(write_file(copy->part() / "changed", "new"));
+        ASSERT_TRUE(write_file(copy->part() / "added", "new"));
+        EXPECT_EQ(read_file(folder / "changed").value(), "old") << "until it is committed";
+        EXPECT_FALSE(fs::exists(folder / "added"));
+        if (is_committed) {
+            ASSERT_TRUE(copy->commit());
+        }
+    }
+    EXPECT_EQ(read_file(folder / "changed").value(), "new");
+    EXPECT_EQ(read_file(folder / "added").value(), "new");
+    EXPECT_EQ(read_file(folder / "inner" / "other").value(), "stays");
+    EXPECT_EQ(count(), 1) << "no part is left";
+}
+
+TEST_F(FileTest, a_folder_that_is_not_there_is_made_and_what_a_killed_process_left_goes) {
+    fs::create_directory(folder_ / "new.raks.part");
+    if (setxattr((folder_ / "new.raks.part").c_str(), "user.raks.part", "", 0, 0) != 0) {
+        GTEST_SKIP() << "this file system has no extended attributes";
+    }
+    ASSERT_TRUE(write_file(folder_ / "new.raks.part" / "x", "half"));
+    auto made = PendingFile::create_changed_folder(folder_ / "new");
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(write_file(made->part() / "y", "whole"));
+    ASSERT_TRUE(made->commit());
+    EXPECT_EQ(read_file(folder_ / "new" / "y").value(), "whole");
+    EXPECT_FALSE(fs::exists(folder_ / "new" / "x"));
+    EXPECT_EQ(count(), 1);
+    EXPECT_LT(getxattr((folder_ / "new").c_str(), "user.raks.part", nullptr, 0), 0);
+}
+
 TEST_F(FileTest, a_process_that_must_end_removes_what_is_not_complete) {
     auto lost = PendingFile::create(folder_ / "lost");
     auto begun = PendingFile::create(folder_ / "begun.mp4", PendingFile::AtEnd::kept);
