@@ -150,6 +150,8 @@ Expected<void> FfmpegReader::open_container() {
     av_dict_set(&options, "protocol_whitelist", "file", 0);
     av_dict_set(&options, "format_whitelist", kFormats, 0);
     av_dict_set(&options, "codec_whitelist", kCodecs, 0);
+    // Of MP4 the tempo, too, which FFmpeg leaves out otherwise.
+    av_dict_set(&options, "export_all", "1", 0);
     // A path with a colon would be read as a protocol.
     const std::string url = "file:" + input_.path.string();
     if (!open_window()) {
