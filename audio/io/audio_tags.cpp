@@ -56,7 +56,9 @@ void set_tag(AudioTags& tags, std::string_view name, std::string_view value) {
     }
     for (const TextTag& tag : kTextTags) {
         if (name == tag.name && (tags.*tag.text).empty()) {
-            tags.*tag.text = printable(words, kMostTagBytes);
+            // What is cut gets three dots; a text that was cut is not cut again.
+            tags.*tag.text =
+                printable(words, words.size() > kMostTagBytes ? kMostTagBytes - 3 : kMostTagBytes);
         }
     }
 }

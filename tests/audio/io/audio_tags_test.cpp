@@ -22,6 +22,7 @@ TEST(AudioTags, take_the_first_good_value_of_known_names) {
     EXPECT_EQ(tags.title, "Aguanile");
     EXPECT_EQ(tags.genre, "a?b? ?");
     EXPECT_LE(tags.artist.size(), 200U);
+    EXPECT_EQ(tags_of_text(text_of_tags(tags)), tags);
     EXPECT_EQ(tags.album, "");
 }
 
@@ -66,17 +67,17 @@ struct TaggedFormat {
 TEST_F(TaggedFiles, say_their_tags_in_every_format) {
     const auto music = test::drums(1.0, 48'000, 2);
     ASSERT_TRUE(write_wav(folder_ / "in.wav", music.samples, 2, music.rate));
-    constexpr TaggedFormat kFormats[] = {{"a.wav", "", nullptr},
-                                         {"a.flac", "", "BPM"},
-                                         {"a.ogg", "-c:a libvorbis", "BPM"},
-                                         {"a.opus", "-c:a libopus", "BPM"},
-                                         {"a.aiff", "-write_id3v2 1", "TBPM"},
-                                         {"a.mp3", "", "TBPM"},
-                                         {"a.m4a", "", "tmpo"},
-                                         {"a.mkv", "-c:a aac", "BPM"},
-                                         {"a.webm", "-c:a libopus", "BPM"},
-                                         {"a.wma", "", "WM/BeatsPerMinute"}};
-    for (const TaggedFormat& format : kFormats) {
+    constexpr TaggedFormat kTagged[] = {{"a.wav", "", nullptr},
+                                        {"a.flac", "", "BPM"},
+                                        {"a.ogg", "-c:a libvorbis", "BPM"},
+                                        {"a.opus", "-c:a libopus", "BPM"},
+                                        {"a.aiff", "-write_id3v2 1", "TBPM"},
+                                        {"a.mp3", "", "TBPM"},
+                                        {"a.m4a", "", "tmpo"},
+                                        {"a.mkv", "-c:a aac", "BPM"},
+                                        {"a.webm", "-c:a libopus", "BPM"},
+                                        {"a.wma", "", "WM/BeatsPerMinute"}};
+    for (const TaggedFormat& format : kTagged) {
         SCOPED_TRACE(format.name);
         std::string options = std::string(format.options) +
                               " -metadata title='Mi Gente' -metadata artist='Héctor Lavoe'"
