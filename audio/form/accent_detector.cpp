@@ -6,8 +6,10 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kLate = 2;  // hops after an accent's own that are waited for
-constexpr double kOnBeat = 0.07;  // seconds from a beat
+// An accent is told so many hops after its own.
+constexpr std::size_t kLateHops = 2;
+// An accent that is so many seconds from a beat at most is on it.
+constexpr double kOnBeatSeconds = 0.07;
 constexpr std::size_t kHopsABlock = 100;
 // The low band has few mel bands and rises by more than the middle one does.
 constexpr std::array<float, kFormBands> kWeights = {0.6F, 1.0F, 0.8F};
@@ -36,7 +38,7 @@ MusicAccent AccentDetector::accent(HopIndex hop,
     accent.band = static_cast<MusicAccent::Band>(band);
     const double beats = grid.beats_at(accent.time).count();
     const double apart = std::abs(beats - std::round(beats)) * grid.tempo.seconds_per_beat();
-    accent.is_on_beat = grid.confidence >= BeatGrid::kDanceable && apart <= kOnBeat;
+    accent.is_on_beat = grid.confidence >= BeatGrid::kDanceable && apart <= kOnBeatSeconds;
     return accent;
 }
 
@@ -51,7 +53,7 @@ MusicAccent AccentDetector::advance(HopIndex hop,
     const auto ago = [this](std::size_t hops) -> const HopSound& {
         return sounds_[(hops_ - 1 - hops) % kAround];
     };
-    const float here = weight(ago(kLate));
+    const float here = weight(ago(kLateHops));
     // A second's strongest onset is forgotten after half a minute.
     float& block = strongest_[hops_ / kHopsABlock % kBlocks];
     if (hops_ % kHopsABlock == 0) {
@@ -61,7 +63,7 @@ MusicAccent AccentDetector::advance(HopIndex hop,
     const float strongest = *std::max_element(strongest_.begin(), strongest_.end());
     const bool is_peak = here > weight(ago(0)) && here > weight(ago(1)) && here >= weight(ago(3)) &&
                          here >= weight(ago(4));
-    const HopIndex own = hop - static_cast<HopIndex>(kLate);
+    const HopIndex own = hop - static_cast<HopIndex>(kLateHops);
     if (!is_peak || here < kLeast) {
         return {};
     }
@@ -73,7 +75,7 @@ MusicAccent AccentDetector::advance(HopIndex hop,
         return {};
     }
     last_ = own;
-    return accent(own, ago(kLate), here / strongest, grid);
+    return accent(own, ago(kLateHops), here / strongest, grid);
 }
 
 }  // namespace raks::audio

@@ -5,51 +5,72 @@
 namespace raks::audio {
 namespace {
 
+// No music was heard yet, dB.
 constexpr float kUnheard = -200.0F;
-constexpr float kUnder = 30.0F;          // dB under the loudest of late: quiet
-constexpr float kOver = 6.0F;            // dB over that: sounds again
-constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever was heard
-constexpr float kFirstLevel = -58.0F;    // dBFS: music that begins is louder
-constexpr float kOverRest = 8.0F;        // dB over the noise of a stop: sounds again
-constexpr float kForget = 0.06F;         // dB a hop that the loudest falls while music sounds
-constexpr int kKeptAfter = 20;           // hops of a gap after which it is kept
-constexpr float kForgetLong = 0.01F;     // and the loudest of the song
-constexpr float kFarUnder = 50.0F;       // dB under that: quiet, however soft the music was
-constexpr float kForgetStopped = 0.10F;  // and while it is stopped: the next song may be softer
-constexpr float kRestRate = 0.05F;       // a hop, of the smoothed level of a stop
-constexpr int kEntryHops = 2;            // that must sound in a row
-constexpr float kCut = 40.0F;            // dB within 30 ms: no instrument falls so fast
-constexpr int kStopHops = 8;             // least pause that is a stop where the sound was cut
-constexpr int kFadedHops = 26;           // and where it faded, as between two notes,
-constexpr float kFadedBeats = 0.9F;      // at least; and so much of a beat
-constexpr int kUnsureHops = 70;          // while the song's habits are not known
-constexpr int kMostHops = 150;           // beyond any gap between notes
-constexpr int kHabitHops = 500;          // heard before habits are known
-constexpr HopIndex kRemembered = 1200;   // hops: older gaps are no habit
-constexpr std::size_t kHabit = 3;        // gaps that make one
-constexpr int kShortGap = 40;            // hops: one such gap is a habit already
-constexpr int kShortestGap = 3;          // hops: shorter dips are the ripple of low notes
-constexpr int kEndHops = 300;            // a stop of 3 s is the end
+
+// Levels are in dB full scale. Music is quiet where it is so many dB under the loudest of late, or
+// under this level whatever was heard.
+constexpr float kQuietDecibels = 30.0F;
+constexpr float kLeastLevel = -72.0F;
+// After a stop music sounds again when it is so many dB over the quiet level and over the noise of
+// the stop. The first music of all is louder than this level.
+constexpr float kEntryDecibels = 6.0F;
+constexpr float kOverNoiseDecibels = 8.0F;
+constexpr float kFirstLevel = -58.0F;
+// For so many hops in a row it must sound.
+constexpr int kEntryHops = 2;
+// The loudest of late falls by so many dB a hop while music sounds, and faster while it is stopped,
+// as the next song may be softer.
+constexpr float kLoudFallDecibels = 0.06F;
+constexpr float kStoppedFallDecibels = 0.10F;
+// In a gap of more than so many hops the loudest of late does not fall.
+constexpr int kHeldAfterHops = 20;
+// The noise of a stop follows the level by this share a hop.
+constexpr float kNoiseShare = 0.05F;
+
+// A sound that falls by so many dB within 30 ms was cut: no instrument falls so fast.
+constexpr float kCutDecibels = 40.0F;
+// The shortest pause that is a stop, in hops: where the sound was cut; where it faded, as between
+// two notes, which also takes such a share of a beat; and while the habits of the song are not
+// known.
+constexpr int kCutStopHops = 8;
+constexpr int kFadedStopHops = 26;
+constexpr float kFadedStopBeats = 0.9F;
+constexpr int kUnsureStopHops = 70;
+// No gap between notes is longer than this: a longer pause is always a stop.
+constexpr int kLongestGapHops = 150;
+// Shorter dips are the ripple of low notes and no gaps.
+constexpr int kShortestGapHops = 3;
+// The habits of a song are known when it has sounded for so many hops. So many gaps make a habit;
+// of a gap that is no longer than the last number of hops, one does. Gaps that are older than this
+// do not count.
+constexpr int kHabitHops = 500;
+constexpr std::size_t kHabitGaps = 3;
+constexpr int kShortGapHops = 40;
+constexpr HopIndex kRememberedHops = 1200;
+// A stop of 3 s is the end.
+constexpr int kEndHops = 300;
 
 }  // namespace
 
-float PauseDetector::quiet_level() const noexcept { return std::max(loud_ - kUnder, kLeastLevel); }
+float PauseDetector::quiet_level() const noexcept {
+    return std::max(loud_ - kQuietDecibels, kLeastLevel);
+}
 
 void PauseDetector::follow_level(float level) noexcept {
-    loud_ = std::max(level, loud_ - (is_stopped_ ? kForgetStopped : kForget));
-    song_ = std::max(level, song_ - (is_stopped_ ? kForgetStopped : kForgetLong));
+    loud_ = std::max(level, loud_ - (is_stopped_ ? kStoppedFallDecibels : kLoudFallDecibels));
 }
 
 // A pause must be longer than the third longest gap of the last 12 s: what the song did once or
 // twice is a stop of its own, what it did more often is how it is played. A short gap needs no
 // others.
 int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
-    std::array<int, kHabit> longest{};  // descending
+    std::array<int, kHabitGaps> longest{};  // descending
     int habit = 0;
     const std::size_t count = std::min(gap_count_, kGaps);
     for (std::size_t i = 0; i < count; ++i) {
-        int length = gaps_[i].ended > hop - kRemembered ? gaps_[i].hops : 0;
-        habit = length <= kShortGap ? std::max(habit, length) : habit;
+        int length = gaps_[i].ended > hop - kRememberedHops ? gaps_[i].hops : 0;
+        habit = length <= kShortGapHops ? std::max(habit, length) : habit;
         for (int& other : longest) {
             if (length > other) {
                 std::swap(length, other);
@@ -58,20 +79,20 @@ int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     }
     habit = std::max(habit, longest.back());
     const int faded =
-        std::max(kFadedHops, static_cast<int>(kFadedBeats * static_cast<float>(beat)));
-    const int least = heard_hops_ < kHabitHops ? kUnsureHops : is_cut_ ? kStopHops : faded;
-    return std::clamp(habit + habit / 4 + 2, least, kMostHops);
+        std::max(kFadedStopHops, static_cast<int>(kFadedStopBeats * static_cast<float>(beat)));
+    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops : is_cut_ ? kCutStopHops : faded;
+    return std::clamp(habit + habit / 4 + 2, least, kLongestGapHops);
 }
 
 void PauseDetector::remember(HopIndex hop) noexcept {
-    if (quiet_hops_ >= kShortestGap && quiet_hops_ <= kMostHops) {
+    if (quiet_hops_ >= kShortestGapHops && quiet_hops_ <= kLongestGapHops) {
         gaps_[gap_count_ % kGaps] = {hop, quiet_hops_};
         ++gap_count_;
     }
     quiet_hops_ = 0;
 }
 
-// While music plays.
+// One hop while music plays: has it stopped?
 MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     if (level >= quiet_level()) {
         remember(hop);
@@ -82,7 +103,7 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     }
     if (quiet_hops_ < 2) {
         // The hop in which it was cut is half full.
-        is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCut;
+        is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCutDecibels;
     }
     if (++quiet_hops_ < hops_to_stop(hop, beat)) {
         return {};
@@ -94,10 +115,11 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     return {MusicEvent::Kind::stop, time_of_hop(hop - quiet_hops_ + 1)};
 }
 
-// While nothing plays: the level must rise over the threshold and over the noise of the pause.
+// One hop while nothing plays. For music to come in, the level must rise over the threshold and
+// over the noise of the pause; a long pause is the end.
 MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
-    const float threshold = loud_ == kUnheard ? kFirstLevel : quiet_level() + kOver;
-    if (level >= std::max(threshold, resting_ + kOverRest)) {
+    const float threshold = loud_ == kUnheard ? kFirstLevel : quiet_level() + kEntryDecibels;
+    if (level >= std::max(threshold, resting_ + kOverNoiseDecibels)) {
         if (++loud_hops_ >= kEntryHops) {
             is_stopped_ = false;
             if (has_ended_) {
@@ -111,7 +133,7 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
         }
     } else {
         loud_hops_ = 0;
-        resting_ += kRestRate * (level - resting_);
+        resting_ += kNoiseShare * (level - resting_);
     }
     ++quiet_hops_;
     if (quiet_hops_ >= kEndHops && !has_ended_) {
@@ -126,7 +148,7 @@ MusicEvent PauseDetector::advance(HopIndex hop, float level, int beat) noexcept 
     const MusicEvent event = is_stopped_ ? wait(hop, level) : listen(hop, level, beat);
     // The noise before the music is not heard yet. In a gap the loudest is kept: it must not fall
     // to the noise in it.
-    const bool is_in_gap = !is_stopped_ && quiet_hops_ > kKeptAfter;
+    const bool is_in_gap = !is_stopped_ && quiet_hops_ > kHeldAfterHops;
     if ((!is_stopped_ || loud_ != kUnheard) && !is_in_gap) {
         follow_level(level);
     }

@@ -41,7 +41,6 @@ class PauseDetector {
     [[nodiscard]] int hops_to_stop(HopIndex hop, int beat) const noexcept;
     [[nodiscard]] float quiet_level() const noexcept;
 
-    float song_ = -200.0F;     // dBFS, the loudest of the song, falls very slowly
     float loud_ = -200.0F;     // dBFS, falls slowly; -200: nothing was heard
     float resting_ = -120.0F;  // dBFS, smoothed, of the present stop
     bool is_stopped_ = true;
