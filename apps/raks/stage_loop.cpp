@@ -350,14 +350,10 @@ void StageLoop::select_next_dance() {
     selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
     live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
     const motion::DancerStatus& dancer = graph_->stage().dancer;
-    if (selected_dance_ == DanceId::none) {
-        say("dancing what is heard (D: another dance)");
-    } else if (dancer.is_dancing && dancer.dance == selected_dance_) {
-        say(fmt::format("dancing {} already: it stays (D: another dance)",
-                        dances_->name_of(selected_dance_)));
-    } else {
-        say(fmt::format("dancing {} (D: another dance)", dances_->name_of(selected_dance_)));
-    }
+    const bool is_danced_already = dancer.is_dancing && dancer.dance == selected_dance_;
+    say(engine::chosen_dance_line(
+        selected_dance_ == DanceId::none ? "" : dances_->name_of(selected_dance_),
+        is_danced_already));
 }
 
 // Dancers who replaced others start with the recognised dance and must be told the selected one.

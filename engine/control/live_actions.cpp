@@ -225,4 +225,12 @@ void LiveActions::keep_figure(double) {
     say_(keeps_figure_ ? "keeping to this figure (K lets go)" : "figures as they come");
 }
 
+std::string chosen_dance_line(std::string_view dance, bool is_danced_already) {
+    if (dance.empty()) {
+        return "dancing what is heard (D: another dance)";
+    }
+    return fmt::format(
+        "dancing {}{} (D: another dance)", dance, is_danced_already ? " already: it stays" : "");
+}
+
 }  // namespace raks::engine

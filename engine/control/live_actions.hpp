@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "audio/beat/analyzer_command.hpp"
 #include "base/beats.hpp"
@@ -119,5 +121,9 @@ class LiveActions {
     double nudged_milliseconds_ = 0.0;     // of this target, in all
     bool keeps_figure_ = false;
 };
+
+/// What is said of the dance that a person chose, which dances already or comes next; of an empty
+/// name: the one that is heard. Threads: any.
+[[nodiscard]] std::string chosen_dance_line(std::string_view dance, bool is_danced_already);
 
 }  // namespace raks::engine

@@ -225,12 +225,6 @@ TEST_F(Keys, d_goes_through_the_dances) {
     EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
 }
 
-TEST_F(Keys, d_says_that_the_chosen_dance_is_danced_already) {
-    dance_and_pause();
-    press({"d"});
-    EXPECT_TRUE(raks_->wait_for_output("dancing salsa already: it stays (D: another dance)"));
-}
-
 TEST_F(Keys, b_goes_back_to_the_file_before) {
     start("--no-overlay");
     press({"n"});

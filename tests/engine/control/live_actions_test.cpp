@@ -218,6 +218,13 @@ TEST_F(Live, the_next_file_gets_the_volume_and_the_latency_that_were_set) {
     EXPECT_EQ(next.volumes, std::vector{0.5F});
 }
 
+TEST(ChosenDance, is_said_to_stay_where_it_is_danced_already) {
+    EXPECT_EQ(chosen_dance_line("salsa", false), "dancing salsa (D: another dance)");
+    EXPECT_EQ(chosen_dance_line("salsa", true),
+              "dancing salsa already: it stays (D: another dance)");
+    EXPECT_EQ(chosen_dance_line("", false), "dancing what is heard (D: another dance)");
+}
+
 TEST_F(Live, a_full_queue_is_said) {
     target_.has_room = false;
     ask(Action::resync_bar);
