@@ -87,7 +87,13 @@ if(RAKS_UNITY)
     add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
 endif()
 
-find_program(RAKS_CCACHE ccache)
+# Looked for once: a folder that was compiled without it is not compiled anew when it comes.
+if(NOT DEFINED RAKS_CCACHE)
+    find_program(RAKS_CCACHE ccache)
+    if(NOT RAKS_CCACHE)
+        set(RAKS_CCACHE "" CACHE FILEPATH "compiler cache; empty: none" FORCE)
+    endif()
+endif()
 if(RAKS_CCACHE)
     # Sources with a precompiled header are kept, too; no source of ours asks for the date.
     set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${RAKS_CCACHE})

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 
 declare -A lists=(
     # The compiler, and the libraries of the programs raks, raks-decode and raks-import.
-    [build]="g++ cmake ninja-build pkg-config ccache
+    [build]="g++ cmake ninja-build pkg-config
         portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libdbus-1-dev libsndfile1-dev libspeexdsp-dev
         libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
@@ -22,7 +22,7 @@ declare -A lists=(
     [learn]="libfluidsynth-dev libopenblas-dev libopencv-calib3d-dev libopencv-imgproc-dev
         libopencv-contrib-dev libceres-dev"
     # What the tests need that open no window and no sound device.
-    [test]="git libgtest-dev libgmock-dev mold sox flac lame opus-tools ffmpeg imagemagick"
+    [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick"
     # Sound servers, a display and checkers of code: all that CI runs.
     [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
@@ -97,7 +97,7 @@ would_remove() { what_apt_would_do "$@" | sed -n 's/^Remv \([^ ]*\).*/\1/p' | so
 # sizes PACKAGE...: apt's own words on downloads and disk, "Need to get 86.1 MB ... will be used."
 sizes() {
     LC_ALL=C apt-get --assume-no -o Debug::NoLocking=1 --no-install-recommends install "$@" 2>/dev/null |
-        grep -E '^(Need to get|After this)' | sed 's/\.$//' | paste -sd ';' | sed 's/;/, /' || true
+        grep -E '^(Need to get|After this)' | sed 's/\.$//' | paste -sd ';' | sed 's/;After/; after/' || true
 }
 
 say "Raks needs ${#missing[@]} Debian packages that are not here: ${missing[*]}"

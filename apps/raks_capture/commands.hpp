@@ -78,9 +78,9 @@ struct CalibrationArguments {
 
 /// Arguments of `raks capture sync`.
 struct SyncArguments {
-    std::string folder;
-    std::string music;
-    std::string offsets;
+    std::string folder = {};
+    std::string music = {};
+    std::string offsets = {};
     /// seconds within which all cameras were started
     double within = std::numeric_limits<double>::infinity();
     bool is_of_boards = false;  ///< the calibration films, not those of the dance

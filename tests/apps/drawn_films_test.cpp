@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRate = 30.0;
+constexpr double kPicturesASecond = 30.0;
 constexpr std::size_t kPictures = 6;
 
 /// A dancer who lifts the arms to the side and turns.
@@ -48,10 +48,14 @@ class DrawnFilms : public ::testing::Test {
  protected:
     DrawnFilms() : poses_(lifted_arms()), rig_(capture::studio_rig(3, 640, 480)) {
         rig_.cameras[0].lens.distortion = {-0.12, 0.05, 0.001, -0.0005, 0.0};
-        motion_ = {
-            .skeleton = motion::mannequin_skeleton(), .poses = poses_, .frames_per_second = kRate};
+        motion_ = {.skeleton = motion::mannequin_skeleton(),
+                   .poses = poses_,
+                   .frames_per_second = kPicturesASecond};
         clean_ = capture::film_points(
-            motion_, rig_, markers_, {.frames_per_second = kRate, .noise = 0.0, .merge = 0.0});
+            motion_,
+            rig_,
+            markers_,
+            {.frames_per_second = kPicturesASecond, .noise = 0.0, .merge = 0.0});
     }
 
     [[nodiscard]] Expected<std::vector<fs::path>> draw(const DrawnFilmOptions& options) const {
@@ -92,7 +96,7 @@ std::vector<double> distances(const capture::SeenFilm& truth, const capture::See
 }
 
 TEST_F(DrawnFilms, show_the_markers_where_they_are) {
-    const auto paths = draw({.frames_per_second = kRate});
+    const auto paths = draw({.frames_per_second = kPicturesASecond});
     ASSERT_TRUE(paths) << paths.error().message;
     // For whoever wants to look at them.
     if (const char* const keep = std::getenv("RAKS_KEEP_FILMS"); keep != nullptr) {
@@ -110,7 +114,7 @@ TEST_F(DrawnFilms, show_the_markers_where_they_are) {
         EXPECT_EQ(seen.camera, rig_.cameras[i].name);
         ASSERT_EQ(seen.pictures.size(), kPictures);
         for (std::size_t k = 0; k < kPictures; ++k) {
-            EXPECT_NEAR(seen.pictures[k].time, static_cast<double>(k) / kRate, 1e-6);
+            EXPECT_NEAR(seen.pictures[k].time, static_cast<double>(k) / kPicturesASecond, 1e-6);
         }
         const auto far = distances(clean_.seen.films[i], seen);
         std::printf("camera %zu: %zu markers seen, median %.2f, p90 %.2f px\n",
@@ -132,7 +136,7 @@ TEST_F(DrawnFilms, show_the_markers_where_they_are) {
 TEST_F(DrawnFilms, as_drafts_have_sound_and_are_the_same_again) {
     const std::vector<float> music(24'000, 0.25F);
     const DrawnFilmOptions options{
-        .frames_per_second = kRate, .is_draft = true, .ending = ".avi", .music = music};
+        .frames_per_second = kPicturesASecond, .is_draft = true, .ending = ".avi", .music = music};
     const auto paths = draw(options);
     ASSERT_TRUE(paths) << paths.error().message;
     const std::string first = read_file(paths->front()).value();
@@ -155,7 +159,7 @@ TEST_F(DrawnFilms, are_refused_in_one_line) {
 }
 
 TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
-    const auto paths = draw({.frames_per_second = kRate, .is_draft = true});
+    const auto paths = draw({.frames_per_second = kPicturesASecond, .is_draft = true});
     ASSERT_TRUE(paths) << paths.error().message;
     const std::vector<CameraFilm> films = films_of(*paths);
     const auto error_with = [&](const capture::MarkerLabel& label) {

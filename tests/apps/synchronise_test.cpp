@@ -23,7 +23,7 @@
 namespace raks::apps {
 namespace {
 
-constexpr int kRate = 48'000;
+constexpr int kSampleRate = 48'000;
 constexpr double kSeconds = 25.0;
 
 // A folder with the sounds of cameras, and the song beside it.
@@ -42,7 +42,7 @@ class Synchronise : public ::testing::Test {
     void write_song() const { write(song(), music_); }
 
     static void write(const std::filesystem::path& file, const std::vector<float>& samples) {
-        ASSERT_TRUE(audio::write_wav(file, samples, 1, SampleRate(kRate)));
+        ASSERT_TRUE(audio::write_wav(file, samples, 1, SampleRate(kSampleRate)));
     }
     // What a camera heard of the song from `offset` seconds on.
     void film(const std::string& name, double offset, double drift_ppm, double metres = 0.0) const {
@@ -55,7 +55,7 @@ class Synchronise : public ::testing::Test {
         recorder.direct_to_reverberant_db = 3.0;
         recorder.signal_to_noise_db = 20.0;
         Dice dice(7, static_cast<std::uint64_t>(name.front()));
-        auto samples = audio::record_in_room(kRate, music_, recorder, dice);
+        auto samples = audio::record_in_room(kSampleRate, music_, recorder, dice);
         for (float& sample : samples) {
             sample *= 0.3F;
         }
@@ -86,17 +86,9 @@ class Synchronise : public ::testing::Test {
         }
         ASSERT_TRUE(write_file(this->films() / "capture.toml", capture_plan_text(plan)));
     }
-    // The command as it is typed, without the program's name. Its exit code, 1 for an error.
-    static int type(std::vector<std::string> words) {
-        CommandTable table("test", "raks capture");
-        add_sync(table);
-        std::reverse(words.begin(), words.end());
-        try {
-            table.app().parse(words);
-        } catch (const CLI::ParseError&) {
-            return kExitUsage;
-        }
-        const ExitCode code = table.chosen()();
+    // The exit code of the command, 1 for an error.
+    static int run(const SyncArguments& arguments) {
+        const ExitCode code = sync_capture(arguments);
         return code ? *code : kExitFailed;
     }
     [[nodiscard]] std::vector<capture::Clock> written_clocks() const {
@@ -118,7 +110,7 @@ TEST_F(Synchronise, films_and_a_song_give_clocks_and_the_offset_to_train_with) {
     make_film("left");
     write_song();
     plan({"back.wav", "left.mp4", "right.wav"}, {}, 2.5);
-    ASSERT_EQ(type({"sync", films().string(), "--music", song().string()}), kExitDone);
+    ASSERT_EQ(run({.folder = films().string(), .music = song().string()}), kExitDone);
     const auto clocks = written_clocks();
     ASSERT_EQ(clocks.size(), 3U);
     EXPECT_EQ(clocks[0].camera, "back");
@@ -172,11 +164,11 @@ TEST_F(Synchronise, table_and_json_say_the_same) {
 TEST_F(Synchronise, cameras_that_hear_nothing_are_named_and_the_others_go_on) {
     film("a", 0.0, 0.0);
     film("b", 1.0, 0.0);
-    write(films() / "silent.wav", std::vector<float>(kRate * 10));
-    write(films() / "short.wav", std::vector<float>(music_.begin(), music_.begin() + kRate));
+    write(films() / "silent.wav", std::vector<float>(kSampleRate * 10));
+    write(films() / "short.wav", std::vector<float>(music_.begin(), music_.begin() + kSampleRate));
     ASSERT_TRUE(write_file(films() / "broken.mp4", "no film"));
     plan({"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav"});
-    EXPECT_EQ(type({"sync", films().string()}), kExitPartly);
+    EXPECT_EQ(run({.folder = films().string()}), kExitPartly);
     ASSERT_EQ(written_clocks().size(), 2U);
 
     SyncPlan plan;
@@ -202,7 +194,7 @@ TEST_F(Synchronise, music_that_no_camera_heard_is_said) {
     other.channels = 1;
     write(song(), audio::generate(other)->samples);
     plan({"a.wav", "b.wav"});
-    EXPECT_EQ(type({"sync", films().string(), "--music", song().string()}), kExitPartly);
+    EXPECT_EQ(run({.folder = films().string(), .music = song().string()}), kExitPartly);
     EXPECT_EQ(written_clocks().size(), 2U);
     EXPECT_FALSE(std::filesystem::exists(films() / "music.toml"));
 }
@@ -210,12 +202,12 @@ TEST_F(Synchronise, music_that_no_camera_heard_is_said) {
 TEST_F(Synchronise, clocks_set_by_hand_count_before_the_sound) {
     film("a", 5.0, 0.0);
     film("b", 6.0, 0.0);
-    write(films() / "mute.wav", std::vector<float>(kRate * 10));
+    write(films() / "mute.wav", std::vector<float>(kSampleRate * 10));
     plan({"a.wav", "b.wav", "mute.wav"});
     const auto hand = folder_ / "hand.toml";
     const std::vector<capture::Clock> set{{"a", 100.0, 0.0, 1.0}, {"mute", 101.5, 10.0, 1.0}};
     ASSERT_TRUE(write_file(hand, capture::clocks_text(set)));
-    ASSERT_EQ(type({"sync", films().string(), "--offsets", hand.string()}), kExitDone);
+    ASSERT_EQ(run({.folder = films().string(), .offsets = hand.string()}), kExitDone);
     const auto clocks = written_clocks();
     ASSERT_EQ(clocks.size(), 3U);
     EXPECT_EQ(clocks[0], set[0]);
@@ -223,26 +215,25 @@ TEST_F(Synchronise, clocks_set_by_hand_count_before_the_sound) {
     EXPECT_EQ(clocks[2], set[1]);
     // A clock for nobody is a slip of the pen.
     ASSERT_TRUE(write_file(hand, capture::clocks_text({{"c", 1.0, 0.0, 1.0}})));
-    EXPECT_EQ(type({"sync", films().string(), "--offsets", hand.string()}), kExitFailed);
+    EXPECT_EQ(run({.folder = films().string(), .offsets = hand.string()}), kExitFailed);
 }
 
 TEST_F(Synchronise, the_way_of_the_sound_is_taken_off_where_the_loudspeaker_is_known) {
     film("a", 5.0, 0.0, 2.0);
     film("b", 6.0, 0.0, 9.0);
     plan({"a.wav", "b.wav"}, {2.0, 9.0});
-    ASSERT_EQ(type({"sync", films().string()}), kExitDone);
+    ASSERT_EQ(run({.folder = films().string()}), kExitDone);
     EXPECT_NEAR(written_clocks()[1].offset, 1.0, 5e-4);
     plan({"a.wav", "b.wav"});
-    ASSERT_EQ(type({"sync", films().string()}), kExitDone);
+    ASSERT_EQ(run({.folder = films().string()}), kExitDone);
     EXPECT_NEAR(written_clocks()[1].offset, 1.0 - 7.0 / 343.0, 5e-4);
 }
 
 TEST_F(Synchronise, folders_without_a_capture_or_without_sound_are_refused) {
-    EXPECT_EQ(type({"sync", films().string()}), kExitFailed);
-    EXPECT_EQ(type({"sync", (folder_ / "nowhere").string()}), kExitFailed);
-    EXPECT_EQ(type({"sync", films().string(), "--within", "nan"}), kExitUsage);
+    EXPECT_EQ(run({.folder = films().string()}), kExitFailed);
+    EXPECT_EQ(run({.folder = (folder_ / "nowhere").string()}), kExitFailed);
     plan({"a.wav", "b.wav"});
-    EXPECT_EQ(type({"sync", films().string()}), kExitFailed);
+    EXPECT_EQ(run({.folder = films().string()}), kExitFailed);
     EXPECT_FALSE(std::filesystem::exists(films() / "clocks.toml"));
 }
 

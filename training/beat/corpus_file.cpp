@@ -22,7 +22,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::string_view kMagic = "RAKSBEAT";
+constexpr std::string_view kCorpusMagic = "RAKSBEAT";
 constexpr std::uint32_t kVersion = 2;
 constexpr double kLongestBar = 64.0;     // bar positions beyond it mean damage
 constexpr double kLongestExcerpt = 1e6;  // seconds
@@ -97,7 +97,7 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
 
 Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
                            const std::filesystem::path& path) {
-    std::string bytes(kMagic);
+    std::string bytes(kCorpusMagic);
     put(bytes, &kVersion, 1);
     for (const TrainingExcerpt& excerpt : corpus) {
         const std::array<std::uint64_t, 4> sizes = {
@@ -118,14 +118,15 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
 Expected<std::vector<TrainingExcerpt>> load_corpus(const std::filesystem::path& path) {
     std::uint32_t version = 0;
     // Magic and version first: a large file of another kind is not read whole.
-    const auto start = read_file_start(path, kMagic.size() + sizeof(version));
+    const auto start = read_file_start(path, kCorpusMagic.size() + sizeof(version));
     if (!start) {
         return fail(start.error());
     }
-    if (!start->starts_with(kMagic) || start->size() < kMagic.size() + sizeof(version)) {
+    if (!start->starts_with(kCorpusMagic) ||
+        start->size() < kCorpusMagic.size() + sizeof(version)) {
         return fail(path.string() + ": not a corpus of beats");
     }
-    std::memcpy(&version, start->data() + kMagic.size(), sizeof(version));
+    std::memcpy(&version, start->data() + kCorpusMagic.size(), sizeof(version));
     if (version != kVersion) {
         return fail(path.string() + ": version " + std::to_string(version) +
                     " of a corpus, this program reads " + std::to_string(kVersion) +

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSamplesFormat = "raks-genre-samples-";  // without the version
-constexpr std::string_view kMagic = "raks-genre-samples-3\n";
+constexpr std::string_view kSamplesMagic = "raks-genre-samples-3\n";
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;  // of a file, 64 MiB
 constexpr std::size_t kStretch = 1'200;                     // hops of a stretch, 12 s
 constexpr std::size_t kShortestStretch = 600;  // hops that a further stretch of a piece must have
@@ -368,7 +368,7 @@ fs::path samples_path(const fs::path& model) {
 }
 
 Expected<void> save_samples(const GenreSamples& samples, const fs::path& path) {
-    Packer packer(kMagic);
+    Packer packer(kSamplesMagic);
     packer.put_list(samples.feature_key);
     packer.put(static_cast<std::uint32_t>(samples.genres.size()));
     for (const std::string& genre : samples.genres) {
@@ -395,13 +395,13 @@ Expected<GenreSamples> load_samples(const fs::path& path) {
     if (!bytes) {
         return fail(bytes.error());
     }
-    if (!bytes->starts_with(kMagic)) {
+    if (!bytes->starts_with(kSamplesMagic)) {
         return fail(path.string() +
                     (bytes->starts_with(kSamplesFormat)
                          ? ": is of another version of this program; train the model again"
                          : ": is no sample that raks train genre kept"));
     }
-    Unpacker unpacker(std::string_view(*bytes).substr(kMagic.size()));
+    Unpacker unpacker(std::string_view(*bytes).substr(kSamplesMagic.size()));
     auto samples = unpack_samples(unpacker);
     if (!samples) {
         return fail(

@@ -14,12 +14,12 @@
 namespace raks::capture {
 namespace {
 
-constexpr std::size_t kMostColours = 64;  // bits of a cell
-constexpr int kCells = 512;               // of the chroma plane's table, in each direction
-constexpr double kLeastWeight = 0.2;      // of a pixel at the gate
-constexpr std::uint8_t kMayBe = 128;      // of a mark, beside the colour
-constexpr double kDarkestShade = 8.0;     // luma of a pixel that may have a colour
-constexpr double kSensorNoise = 1.5;      // grey levels of Cr and Cb, sd
+constexpr std::size_t kMostModels = 64;  // bits of a cell
+constexpr int kCells = 512;              // of the chroma plane's table, in each direction
+constexpr double kLeastWeight = 0.2;     // of a pixel at the gate
+constexpr std::uint8_t kMayBe = 128;     // of a mark, beside the colour
+constexpr double kDarkestShade = 8.0;    // luma of a pixel that may have a colour
+constexpr double kSensorNoise = 1.5;     // grey levels of Cr and Cb, sd
 
 // The variance that the sensor's noise gives the normalised chroma of a pixel of this luma.
 double noise2_of(double luma, ChromaForm form) noexcept {
@@ -110,9 +110,9 @@ struct MarkerFinder::Blob {
 
 Expected<MarkerFinder> MarkerFinder::create(std::vector<ColourModel> models,
                                             const FinderOptions& options) {
-    if (models.empty() || models.size() > kMostColours) {
+    if (models.empty() || models.size() > kMostModels) {
         return fail(
-            fmt::format("{} colours of markers; must be 1 to {}", models.size(), kMostColours));
+            fmt::format("{} colours of markers; must be 1 to {}", models.size(), kMostModels));
     }
     return MarkerFinder(std::move(models), options);
 }
@@ -155,7 +155,7 @@ std::uint8_t MarkerFinder::mark_of(const std::uint8_t* rgb) const noexcept {
     const bool is_burnt = form == ChromaForm::normalised && is_burnt_out(rgb);
     // Burnt out, a colour may have become any paler one.
     std::uint64_t left =
-        is_burnt ? ~std::uint64_t{0} >> (kMostColours - models_.size())
+        is_burnt ? ~std::uint64_t{0} >> (kMostModels - models_.size())
                  : table_[cell_index(cell_along(chroma.x, form), cell_along(chroma.y, form))];
     if (left == 0 || (form == ChromaForm::normalised && pixel.y < kDarkestShade)) {
         return 0;

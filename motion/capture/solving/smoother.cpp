@@ -13,8 +13,8 @@ namespace {
 using motion::Bone;
 using motion::Side;
 
-constexpr double kWindow = 8.0;   // seconds that are solved at once
-constexpr double kOverlap = 1.0;  // seconds after which what comes later does not matter
+constexpr double kSolvedSeconds = 8.0;  // seconds that are solved at once
+constexpr double kOverlap = 1.0;        // seconds after which what comes later does not matter
 constexpr double kHipsPlaceAcceleration = 10.0;  // m / s^2 at 60 frames a second
 constexpr double kPlantedSpeed = 0.03;           // m / s of a sole that stands
 constexpr double kSteadyStep = 10.0;             // damping: 1 / (0.3)^2
@@ -223,7 +223,7 @@ void smooth(const FrameContext& context,
     const auto frames_of = [&](double seconds) {
         return static_cast<std::size_t>(std::max(4.0, seconds * options.frames_per_second));
     };
-    const std::size_t size = frames_of(kWindow);
+    const std::size_t size = frames_of(kSolvedSeconds);
     const std::size_t hop = size - frames_of(kOverlap);
     for (std::size_t first = 0; first < states.size(); first += hop) {
         const std::size_t last = std::min(states.size(), first + size);

@@ -17,7 +17,7 @@
 namespace raks::capture {
 namespace {
 
-constexpr double kWindow = 0.5;              // seconds
+constexpr double kMoveSeconds = 0.5;         // seconds
 constexpr std::size_t kWindowsAround = 2;    // windows before and after that say the same
 constexpr std::size_t kLeastWindows = 3;     // of a stretch
 constexpr std::size_t kLeastSpots = 10;      // of a window that says something
@@ -55,7 +55,7 @@ class Comparison {
         : input_(input),
           markers_(input.classes.size()),
           frames_(tracked.size() / std::max<std::size_t>(1, markers_)),
-          long_(static_cast<std::size_t>(std::max(1.0, std::round(kWindow / input.seconds)))),
+          long_(static_cast<std::size_t>(std::max(1.0, std::round(kMoveSeconds / input.seconds)))),
           windows_(input.rig->cameras.size(),
                    std::vector<CameraWindow>((frames_ + long_ - 1) / long_)) {
         for (std::size_t frame = 0; frame < frames_; ++frame) {

@@ -54,8 +54,8 @@ DistanceLimit reach_of(const std::vector<double>& lengths) {
 }  // namespace
 
 std::vector<DistanceLimit> distance_limits(const MarkerSet& markers, double height) {
-    constexpr double kMannequinHeight = 1.714;
-    const double scale = height > 0.0 ? height / kMannequinHeight : 1.0;
+    constexpr double kUsualHeight = 1.714;
+    const double scale = height > 0.0 ? height / kUsualHeight : 1.0;
     const motion::WorldPose rest = motion::world_pose(motion::mannequin_skeleton(), {});
     const auto place_of = [&](const Marker& marker) {
         return glm::dvec3(rest.point(marker.bone, glm::vec3(marker.place)));

@@ -12,7 +12,7 @@
 #include "render/video/video_writer.hpp"
 #include "tests/support/program.hpp"
 
-namespace raks::engine::test {
+namespace raks::engine::films {
 
 inline constexpr int kFilmWidth = 96;
 inline constexpr int kFilmHeight = 64;
@@ -111,4 +111,4 @@ inline ReadFilm read_film(const std::filesystem::path& path, const FilmOptions& 
     }
 }
 
-}  // namespace raks::engine::test
+}  // namespace raks::engine::films

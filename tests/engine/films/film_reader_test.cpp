@@ -23,15 +23,15 @@ namespace raks::engine {
 namespace {
 
 namespace fs = std::filesystem;
-using test::kFilmHeight;
-using test::kFilmPictures;
-using test::kFilmRate;
-using test::kFilmWidth;
-using test::number_of;
-using test::pixel;
-using test::read_film;
-using test::ReadFilm;
-using test::run_ffmpeg;
+using films::kFilmHeight;
+using films::kFilmPictures;
+using films::kFilmRate;
+using films::kFilmWidth;
+using films::number_of;
+using films::pixel;
+using films::read_film;
+using films::ReadFilm;
+using films::run_ffmpeg;
 
 constexpr double kStampError = 0.0011;  // seconds: Matroska counts milliseconds
 
@@ -40,7 +40,7 @@ class Films : public ::testing::Test {
     [[nodiscard]] fs::path path(const std::string& name) const { return folder_ / name; }
     /// The numbered film under this name.
     [[nodiscard]] fs::path film(const std::string& name) const {
-        test::write_numbered_film(path(name));
+        films::write_numbered_film(path(name));
         return path(name);
     }
     void write(const std::string& name, const std::string& bytes) const {
@@ -243,7 +243,7 @@ TEST_F(Films, keep_coloured_things_where_they_are) {
 }
 
 TEST_F(Films, of_numbered_pictures_are_read_in_order) {
-    test::write_numbered_film(path("folder"), 0);
+    films::write_numbered_film(path("folder"), 0);
     fs::remove(path("folder") / "000003.png");
     run_ffmpeg({"-i", (path("folder") / "000007.png").string(), "-q:v", "2"},
                path("folder") / "view_000040.JPG");

@@ -15,6 +15,7 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/locked_memory.hpp"
 #include "engine/live/analysis_stage.hpp"
+#include "engine/live/live_input.hpp"
 #include "engine/live/motion_stage.hpp"
 #include "engine/live/playback.hpp"
 #include "engine/setup/dancers.hpp"

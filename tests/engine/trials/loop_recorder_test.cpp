@@ -11,12 +11,12 @@
 namespace raks::engine {
 namespace {
 
-constexpr SampleRate kRate(48'000);
+constexpr SampleRate kSampleRate(48'000);
 constexpr std::int64_t kBlock = 256;
 constexpr HostTime kStart{std::chrono::seconds(100)};
 constexpr Nanos kInputLatency = std::chrono::milliseconds(2);
 // As JACK's inputs say it: the block's length less the latency of its first sample.
-constexpr Nanos kHeardAfter = kRate.time_of(kBlock).time_since_epoch() - kInputLatency;
+constexpr Nanos kHeardAfter = kSampleRate.time_of(kBlock).time_since_epoch() - kInputLatency;
 
 audio::GeneratedMusic music() {
     audio::MusicPlan plan;
@@ -46,15 +46,15 @@ LoopRecording looped(const audio::GeneratedMusic& piece,
                                             : nanos_from_seconds(5e-5 * kLateness.uniform(number));
         // Behind the block's last sample, which came a block after its first.
         blocks.push_back({frame + kBlock,
-                          kStart + kHeardAfter + kRate.time_of(frame).time_since_epoch() + late +
-                              (frame >= lost_from ? lost : Nanos{})});
+                          kStart + kHeardAfter + kSampleRate.time_of(frame).time_since_epoch() +
+                              late + (frame >= lost_from ? lost : Nanos{})});
     }
-    return {BlockClock(kRate, std::move(blocks)), std::move(samples)};
+    return {BlockClock(kSampleRate, std::move(blocks)), std::move(samples)};
 }
 
 HostTime truth(const audio::GeneratedMusic& piece, std::size_t beat, std::int64_t delay) {
-    const std::int64_t frame = kRate.index_at(piece.beats[beat].time) + delay;
-    return kStart + kRate.time_of(frame).time_since_epoch() - kInputLatency;
+    const std::int64_t frame = kSampleRate.index_at(piece.beats[beat].time) + delay;
+    return kStart + kSampleRate.time_of(frame).time_since_epoch() - kInputLatency;
 }
 
 TEST(ExcerptBeats, are_found_to_the_sample_and_dated_by_the_blocks_that_were_not_late) {
@@ -89,7 +89,7 @@ TEST(ExcerptBeats, are_none_in_silence_in_noise_and_at_another_rate) {
         noise[i] = static_cast<float>(kNoise.uniform(i) - 0.5);
     }
     EXPECT_TRUE(
-        audible_beats(LoopRecording(BlockClock(kRate, {{0, kStart}}), noise), piece).empty());
+        audible_beats(LoopRecording(BlockClock(kSampleRate, {{0, kStart}}), noise), piece).empty());
     EXPECT_TRUE(
         audible_beats(LoopRecording(BlockClock(SampleRate(44'100), {{0, kStart}}), noise), piece)
             .empty());

@@ -23,7 +23,7 @@ namespace raks::render {
 namespace {
 
 constexpr int kSide = 240;
-const glm::vec3 kMiddle{0.0F, 0.9F, 0.0F};
+const glm::vec3 kSphereMiddle{0.0F, 0.9F, 0.0F};
 constexpr float kRadius = 0.5F;
 
 /// A sphere of one material; u runs round it, v from the top down.
@@ -41,7 +41,7 @@ Model sphere_model(const ModelMaterial& material) {
             sphere.normals.emplace_back(std::sin(down) * std::sin(around),
                                         std::cos(down),
                                         std::sin(down) * std::cos(around));
-            sphere.positions.push_back(kMiddle + kRadius * sphere.normals.back());
+            sphere.positions.push_back(kSphereMiddle + kRadius * sphere.normals.back());
             sphere.uv[0].emplace_back(u, v);
         }
     }
@@ -68,7 +68,7 @@ Scene plain_scene() {
     Scene scene;
     scene.theme = find_theme("plain").value();
     scene.camera.yaw = 0.0F;
-    scene.camera.target = kMiddle;
+    scene.camera.target = kSphereMiddle;
     scene.camera.distance = 3.0F;
     return scene;
 }
@@ -81,12 +81,12 @@ std::optional<glm::vec3> normal_at(const Camera& camera, int column, int row) {
     const glm::vec4 far = world_from_clip * glm::vec4(x, y, 1.0F, 1.0F);
     const glm::vec3 from = camera.position();
     const glm::vec3 along = glm::normalize(glm::vec3(far) / far.w - from);
-    const float b = glm::dot(along, from - kMiddle);
-    const float c = glm::dot(from - kMiddle, from - kMiddle) - kRadius * kRadius;
+    const float b = glm::dot(along, from - kSphereMiddle);
+    const float c = glm::dot(from - kSphereMiddle, from - kSphereMiddle) - kRadius * kRadius;
     if (b * b < c) {
         return std::nullopt;
     }
-    return (from + (-b - std::sqrt(b * b - c)) * along - kMiddle) / kRadius;
+    return (from + (-b - std::sqrt(b * b - c)) * along - kSphereMiddle) / kRadius;
 }
 
 glm::vec3 shown(glm::vec3 linear) {
@@ -116,7 +116,7 @@ class SurfaceTest : public OffscreenTest {
         for (int row = 0; row < kSide; ++row) {
             for (int column = 0; column < kSide; ++column) {
                 const auto n = normal_at(camera, column, row);
-                if (n && glm::dot(*n, glm::normalize(camera.position() - kMiddle)) > 0.4F) {
+                if (n && glm::dot(*n, glm::normalize(camera.position() - kSphereMiddle)) > 0.4F) {
                     const auto pixel = picture.at(column, row);
                     const glm::vec3 seen(pixel[0], pixel[1], pixel[2]);
                     const glm::vec3 off = glm::abs(seen - shown(truth(*n)));
@@ -161,7 +161,8 @@ TEST_F(SurfaceTest, toon_steps_and_rims_follow_their_formula) {
             const float s = glm::dot(n, key) + shift;
             const float lit =
                 std::clamp((s - (-1 + toony)) / ((1 - toony) - (-1 + toony)), 0.0F, 1.0F);
-            const glm::vec3 v = glm::normalize(scene.camera.position() - kMiddle - kRadius * n);
+            const glm::vec3 v =
+                glm::normalize(scene.camera.position() - kSphereMiddle - kRadius * n);
             const float edge = std::clamp(1.0F - glm::dot(n, v) + 0.1F, 0.0F, 1.0F);
             return glm::mix(material.mtoon->shade_colour, glm::vec3(material.base_colour), lit) +
                    material.mtoon->rim_colour * std::pow(edge, 3.0F);

@@ -20,8 +20,8 @@
 namespace raks::render {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
+constexpr int kPictureWidth = 640;
+constexpr int kPictureHeight = 360;
 constexpr std::array<std::uint8_t, 3> kBehind = {40, 60, 120};
 
 OverlayState locked_state() {
@@ -100,8 +100,8 @@ class OverlayTest : public testing::Test {
 
     Pixels draw(const OverlayState& state,
                 OverlayView view = OverlayView::shown,
-                int width = kWidth,
-                int height = kHeight,
+                int width = kPictureWidth,
+                int height = kPictureHeight,
                 float content_scale = 1.0F) {
         auto target = OffscreenTarget::create({.width = width, .height = height});
         EXPECT_TRUE(target) << target.error().message;
@@ -419,7 +419,7 @@ TEST_F(OverlayTest, odd_values_draw_without_harm) {
 }
 
 TEST_F(OverlayTest, state_of_opengl_is_put_back) {
-    auto target = OffscreenTarget::create({.width = kWidth, .height = kHeight});
+    auto target = OffscreenTarget::create({.width = kPictureWidth, .height = kPictureHeight});
     auto other = OffscreenTarget::create({.width = 8, .height = 8});
     ASSERT_TRUE(target && other);
     glBindFramebuffer(GL_FRAMEBUFFER, other->frame().framebuffer);
@@ -441,19 +441,21 @@ TEST_F(OverlayTest, state_of_opengl_is_put_back) {
 
 TEST_F(OverlayTest, a_part_of_a_target_gets_the_same_picture_and_nothing_lies_outside) {
     const Pixels whole = draw(locked_state());
-    auto target = OffscreenTarget::create({.width = kWidth + 30, .height = kHeight + 20});
+    auto target =
+        OffscreenTarget::create({.width = kPictureWidth + 30, .height = kPictureHeight + 20});
     ASSERT_TRUE(target);
     clear(*target);
     FrameTarget part = target->frame();
     part.x = 10;
     part.y = 15;  // from below: 5 rows are left above
-    part.width = kWidth;
-    part.height = kHeight;
+    part.width = kPictureWidth;
+    part.height = kPictureHeight;
     overlay_->draw(locked_state(), OverlayView::shown, part);
     const Pixels pixels = read(*target);
-    for (int y = 0; y < kHeight + 20; ++y) {
-        for (int x = 0; x < kWidth + 30; ++x) {
-            const bool is_inside = x >= 10 && x < 10 + kWidth && y >= 5 && y < 5 + kHeight;
+    for (int y = 0; y < kPictureHeight + 20; ++y) {
+        for (int x = 0; x < kPictureWidth + 30; ++x) {
+            const bool is_inside =
+                x >= 10 && x < 10 + kPictureWidth && y >= 5 && y < 5 + kPictureHeight;
             const bool expected = is_inside ? whole.is_behind(x - 10, y - 5) : true;
             ASSERT_EQ(pixels.is_behind(x, y), expected) << x << " " << y;
         }

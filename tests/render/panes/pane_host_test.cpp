@@ -15,8 +15,8 @@
 namespace raks::render {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 200;
+constexpr int kPaneWidth = 320;
+constexpr int kPaneHeight = 200;
 
 class PanesOffscreen : public testing::Test {
  protected:
@@ -25,7 +25,7 @@ class PanesOffscreen : public testing::Test {
         auto context = OffscreenContext::create();
         ASSERT_TRUE(context) << context.error().message;
         context_.emplace(std::move(*context));
-        auto target = OffscreenTarget::create({.width = kWidth, .height = kHeight});
+        auto target = OffscreenTarget::create({.width = kPaneWidth, .height = kPaneHeight});
         ASSERT_TRUE(target) << target.error().message;
         target_.emplace(std::move(*target));
     }
@@ -37,13 +37,13 @@ class PanesOffscreen : public testing::Test {
         glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT);
         host.draw(frame, 1.0F, {}, panes);
-        std::vector<std::uint8_t> rgba(std::size_t{4} * kWidth * kHeight);
+        std::vector<std::uint8_t> rgba(std::size_t{4} * kPaneWidth * kPaneHeight);
         EXPECT_TRUE(target_->read_rgba(rgba));
         return rgba;
     }
 
     static std::vector<int> pixel(const std::vector<std::uint8_t>& rgba, int x, int y) {
-        const auto at = static_cast<std::size_t>(4 * (y * kWidth + x));
+        const auto at = static_cast<std::size_t>(4 * (y * kPaneWidth + x));
         return {rgba[at], rgba[at + 1], rgba[at + 2]};
     }
 

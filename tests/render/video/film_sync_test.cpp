@@ -15,7 +15,7 @@ struct SyncCase {
 
 constexpr int kFilmWidth = 64;
 constexpr int kFilmHeight = 48;
-constexpr int kPictures = 100;
+constexpr int kSyncPictures = 100;
 constexpr int kFlashEvery = 20;
 constexpr std::size_t kChannel = 0;
 constexpr double kAacFrame = 1024.0;  // samples
@@ -26,10 +26,10 @@ std::int64_t sample_of_picture(const SyncCase& c, int picture) {
 
 /// Sound with a click (a 2 ms burst of 2 kHz) at the first sample of every flashing picture.
 std::vector<float> clicks(const SyncCase& c) {
-    const auto total = static_cast<std::size_t>(sample_of_picture(c, kPictures));
+    const auto total = static_cast<std::size_t>(sample_of_picture(c, kSyncPictures));
     const auto channels = static_cast<std::size_t>(c.channels);
     std::vector<float> sound(total * channels);
-    for (int picture = kFlashEvery; picture < kPictures; picture += kFlashEvery) {
+    for (int picture = kFlashEvery; picture < kSyncPictures; picture += kFlashEvery) {
         const auto start = static_cast<std::size_t>(sample_of_picture(c, picture));
         const auto length = static_cast<std::size_t>(c.audio_rate / 500);
         for (std::size_t i = start; i < std::min(start + length, total); ++i) {
@@ -84,7 +84,7 @@ void write_film(const std::filesystem::path& path, const SyncCase& c) {
     };
     const Rgba dark = plain_picture(kFilmWidth, kFilmHeight, 10, 10, 10);
     const Rgba flash = plain_picture(kFilmWidth, kFilmHeight, 240, 240, 240);
-    for (int picture = 0; picture < kPictures; ++picture) {
+    for (int picture = 0; picture < kSyncPictures; ++picture) {
         add_sound_until(picture / c.rate.fps() + c.sound_lead);
         const bool is_flash = picture > 0 && picture % kFlashEvery == 0;
         ASSERT_TRUE((*film)->add_picture(is_flash ? flash : dark));
@@ -103,7 +103,7 @@ TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
     ASSERT_NO_FATAL_FAILURE(write_film(path, c));
 
     // Both tracks start at 0 and end together.
-    const double seconds = kPictures / c.rate.fps();
+    const double seconds = kSyncPictures / c.rate.fps();
     const bool is_mp4 = path.extension() == ".mp4";
     const bool is_matroska = path.extension() == ".mkv" || path.extension() == ".webm";
     // Opus has one rate for all.
@@ -120,9 +120,9 @@ TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
     }
 
     const std::string grey = decoded_grey(path);
-    ASSERT_EQ(grey.size(), std::size_t{kFilmWidth} * kFilmHeight * kPictures);
+    ASSERT_EQ(grey.size(), std::size_t{kFilmWidth} * kFilmHeight * kSyncPictures);
     std::vector<double> flashes;
-    for (std::size_t picture = 0; picture < kPictures; ++picture) {
+    for (std::size_t picture = 0; picture < kSyncPictures; ++picture) {
         const auto middle = static_cast<std::uint8_t>(
             grey[(picture * kFilmHeight + kFilmHeight / 2) * kFilmWidth + kFilmWidth / 2]);
         if (middle > 128) {
@@ -140,7 +140,7 @@ TEST_P(FilmSync, a_flash_is_seen_when_its_click_is_heard) {
                                        : 0.0));
     const std::vector<double> heard = onsets(sound, sound_rate);
 
-    ASSERT_EQ(flashes.size(), std::size_t{kPictures / kFlashEvery - 1});
+    ASSERT_EQ(flashes.size(), std::size_t{kSyncPictures / kFlashEvery - 1});
     ASSERT_EQ(heard.size(), flashes.size());
     for (std::size_t i = 0; i < heard.size(); ++i) {
         // Half a period of the click: AAC smears its edge; a lost priming would be 21 ms.
