@@ -65,7 +65,8 @@ class Json {
     Json& operator[](std::string_view key);
     /// Adds a value to an array. Null becomes an array.
     void push_back(Json value);
-    /// The last value of an array that is not empty. The reference holds until the next push_back().
+    /// The last value of an array that is not empty. The reference holds until the next
+    /// push_back().
     [[nodiscard]] Json& back();
     /// Of an array or object: how many it has; 0 of every other value.
     [[nodiscard]] std::size_t size() const noexcept;

@@ -1,4 +1,2 @@
 // The precompiled headers of the tests belong to a program, and a program has a main function.
-int main() {
-    return 0;
-}
+int main() { return 0; }

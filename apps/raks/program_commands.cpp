@@ -37,8 +37,8 @@ ExitCode become(const char* name,
     argv.push_back(nullptr);
     let_libraries_speak();
     execv(program.c_str(), argv.data());
-    return fail(
-        {program + ": is not built; scripts/build.sh learn, in the source tree of Raks, builds it"});
+    return fail({program +
+                 ": is not built; scripts/build.sh learn, in the source tree of Raks, builds it"});
 }
 
 void add_commands_of(RaksCommands& table,

@@ -34,9 +34,9 @@ inline constexpr std::size_t kLeastWindows = 4;
 /// (window_peaks.hpp) are measured and a straight line is drawn through most of them
 /// (clock_line.hpp).
 ///
-/// Measured with music in a simulated room (docs/measurements/sound.md): 0.1 ms, 2 ppm where the room's
-/// reverberation is as strong as the direct sound. It takes some 0.6 s of CPU for tracks of 40 s, 4
-/// s for five minutes.
+/// Measured with music in a simulated room (docs/measurements/sound.md): 0.1 ms, 2 ppm where the
+/// room's reverberation is as strong as the direct sound. It takes some 0.6 s of CPU for tracks of
+/// 40 s, 4 s for five minutes.
 ///
 /// The confidence is the product of: how many of the windows heard agree; how much the alignment
 /// stands out from the next best one (full where that has half its score or less); how much the

@@ -15,10 +15,10 @@ class StallReport final : public ::testing::EmptyTestEventListener {
     void OnTestEnd(const ::testing::TestInfo& test) override {
         if (test.result()->Failed() && watch_->is_machine_slow()) {
             // The words are those that scripts/test.sh looks for.
-            std::printf("the machine stood still for %lld ms during this test\n",
-                        static_cast<long long>(
-                            std::chrono::duration_cast<std::chrono::milliseconds>(watch_->lost())
-                                .count()));
+            std::printf(
+                "the machine stood still for %lld ms during this test\n",
+                static_cast<long long>(
+                    std::chrono::duration_cast<std::chrono::milliseconds>(watch_->lost()).count()));
         }
         watch_.reset();
     }
