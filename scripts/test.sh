@@ -49,7 +49,8 @@ cmake --build --preset release -j "$(nproc)" | { grep -vE '^\[[0-9]+/[0-9]+\] (B
 run_tests() {
     local log=build/$1.log
     shift
-    ctest --preset release "$@" | tee "$log"
+    # Not by the preset, whose filter would take the place of these.
+    ctest --test-dir build/release --output-on-failure "$@" | tee "$log"
 }
 
 failed=
