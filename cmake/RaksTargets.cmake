@@ -32,8 +32,9 @@ endfunction()
 # compiles these sources of a library with -O3, and without contraction, so that all clones of a loop
 # give the same bits.
 function(raks_vectorized name)
+    # GCC 12 breaks down over clones of functions behind a header that was compiled with other options.
     set_source_files_properties(${ARGN} TARGET_DIRECTORY raks_${name}
-        PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=off")
+        PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=off" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # raks_compile_quickly(render_import)
