@@ -39,24 +39,24 @@ memory=$(awk '/^MemAvailable:/ {print int($2 / 1200000)}' /proc/meminfo)
 jobs=$(nproc)
 [ "$memory" -ge "$jobs" ] || jobs=$((memory > 1 ? memory : 1))
 
-# show_progress: from ninja's lines "[12/345] ..." how far the build is and how long it still takes.
-# Until a tenth is done, by what the whole took on an ordinary computer.
+# show_progress: from ninja's lines "[12/345] ..." how far the build is and how long it still takes: at
+# first by four seconds a step, which an ordinary computer needs, then by what it took so far.
 show_progress() {
-    local usual=$((500 / jobs)) line finished total left
+    local announced= line finished total left
     while IFS= read -r line; do
         [[ "$line" =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
         finished=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
-        if [ $((finished * 10)) -lt "$total" ]; then
-            left=$((usual * (total - finished) / total))
-        else
-            left=$((SECONDS * (total - finished) / finished))
-        fi
-        [ -t 2 ] && printf '\r\033[Kbuilding: %d of %d, about %d min left' "$finished" "$total" $(((left + 59) / 60)) >&2
+        # Ninja's first steps may be to look whether there is anything to do.
+        [ "$total" -gt 2 ] || continue
+        left=$((4 * (total - finished) / jobs))
+        [ $((finished * 10)) -lt "$total" ] || left=$((SECONDS * (total - finished) / finished))
+        left=$(((left + 59) / 60))
+        [ -n "$announced" ] || echo "building: $total steps, $jobs at a time, about $left min (log: $log)" >&2
+        announced=1
+        [ -t 2 ] && printf '\r\033[Kbuilding: %d of %d, about %d min left' "$finished" "$total" "$left" >&2
     done
     [ -t 2 ] && printf '\r\033[K' >&2 || true
 }
 SECONDS=0
-steps=$(ninja -C build/release -n "${targets[@]}" 2>/dev/null | grep -c '^\[' || true)
-[ "$steps" -le 1 ] || echo "building $steps steps, $jobs at a time, about $(((500 * steps / 130 / jobs + 59) / 60)) min or less (log: $log)" >&2
 cmake --build --preset release -j "$jobs" --target "${targets[@]}" 2>&1 | tee -a "$log" | show_progress ||
     give_up "it cannot be built: $(fault)"
