@@ -20,8 +20,9 @@ namespace {
 
 // Below JACK's clients (5, where Debian starts the server at 10) and PulseAudio's server (5), and
 // above everything that is ordinary. In the order of RealtimeThread.
-constexpr std::array kPriorities = {2, 3, 4};
-constexpr std::array kNames = {"raks-motion", "raks-audio", "raks-transport"};  // likewise
+constexpr std::array kPriorities = {1, 2, 3, 4};
+constexpr std::array kNames = {
+    "raks-outputs", "raks-motion", "raks-audio", "raks-transport"};  // likewise
 // PulseAudio's own choice where real time is refused.
 constexpr int kPreferredNice = -11;
 constexpr int kBehindNice = 10;

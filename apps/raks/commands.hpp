@@ -9,6 +9,7 @@
 #include "apps/clips/body_arguments.hpp"
 #include "apps/clips/joint_arguments.hpp"
 #include "apps/terminal/program.hpp"
+#include "engine/outputs/outputs.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -35,6 +36,7 @@ struct PlayArguments {
     bool is_soundless = false;   ///< no loudspeaker; paced by the clock
     bool is_fullscreen = false;  ///< the window fills the screen
     bool is_as_live = false;     ///< songs are analyzed as they come, as an input is
+    std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -42,10 +44,11 @@ struct PlayArguments {
 
 /// Arguments of `raks live`.
 struct LiveArguments {
-    engine::Settings settings;       ///< of the files and the options
-    std::optional<double> duration;  ///< seconds of the input; until stopped when absent
-    bool is_headless = false;        ///< no window
-    bool is_fullscreen = false;      ///< the window fills the screen
+    engine::Settings settings;                ///< of the files and the options
+    std::optional<double> duration;           ///< seconds of the input; until stopped when absent
+    bool is_headless = false;                 ///< no window
+    bool is_fullscreen = false;               ///< the window fills the screen
+    std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);

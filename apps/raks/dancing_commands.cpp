@@ -83,6 +83,23 @@ void add_sound_options(CLI::App& app, engine::Settings& settings) {
                    "milliseconds that the device buffers; more with fewer holes");
 }
 
+// A row of the table of outputs each; several of one kind may be told.
+void add_output_options(CLI::App& app, std::vector<engine::OutputWish>& wishes) {
+    for (const engine::OutputKind& kind : engine::output_kinds()) {
+        app.add_option_function<std::vector<std::string>>(
+               "--" + std::string(kind.option),
+               [&kind, &wishes](const std::vector<std::string>& targets) {
+                   for (const std::string& target : targets) {
+                       wishes.push_back({&kind, target});
+                   }
+               },
+               std::string(kind.help))
+            ->type_name(std::string(kind.target))
+            ->expected(1, static_cast<int>(engine::kMostOutputs))
+            ->allow_extra_args(false);
+    }
+}
+
 // --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
@@ -114,6 +131,7 @@ void add_play(RaksCommands& table) {
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_picture_options(*app, a->settings, a->settings.overlay);
+    add_output_options(*app, a->outputs);
 }
 
 void add_live(RaksCommands& table) {
@@ -129,6 +147,7 @@ void add_live(RaksCommands& table) {
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
     add_picture_options(*app, a->settings, a->settings.overlay);
+    add_output_options(*app, a->outputs);
 }
 
 void add_render(RaksCommands& table) {

@@ -394,10 +394,11 @@ ExitCode play(const PlayArguments& given) {
         return fail(setup.error());
     }
     engine::Formations& formations = setup->formations;
-    auto loop = StageLoop::create(arguments.settings,
-                                  {arguments.is_headless, arguments.is_fullscreen, std::nullopt},
-                                  setup->catalogue.list(),
-                                  formations);
+    auto loop = StageLoop::create(
+        arguments.settings,
+        {arguments.is_headless, arguments.is_fullscreen, std::nullopt, arguments.outputs},
+        setup->catalogue.list(),
+        formations);
     if (!loop) {
         return fail(loop.error());
     }

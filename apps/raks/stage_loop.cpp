@@ -77,10 +77,15 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
     if (!look) {
         return fail(look.error());
     }
+    auto outputs = engine::Outputs::open(options.outputs);
+    if (!outputs) {
+        return fail(outputs.error());
+    }
     // Until it is solved for the avatar, the dance is retargeted.
     formations.ask_for_bodies(engine::dance_bodies_of(look->avatars));
     std::unique_ptr<StageLoop> loop(
         new StageLoop(settings, options, std::move(dances), formations));
+    loop->outputs_ = std::move(*outputs);
     if (!options.is_headless) {
         auto window = open_window(settings, *look, options);
         if (!window) {
@@ -142,6 +147,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     wish_.reset();
     staging_.begin_anew();
     keep_memory();
+    outputs_->follow(graph.feed());
     engine::GraphTarget target(graph);
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
     // Volume and latency offset are carried over from the file before.
@@ -246,6 +252,9 @@ void StageLoop::advance(double /*seconds*/) {
     for (const std::string& line : graph_->watch(HostClock::now())) {
         say(line);
     }
+    for (const std::string& line : outputs_->take_lines()) {
+        say(line);
+    }
     if (source_.each_picture) {
         source_.each_picture();
     }
@@ -302,6 +311,7 @@ void StageLoop::toggle_pause() {
         playback.seek(source_.start);
     } else {
         playback.set_paused(!playback.is_paused());
+        say_detail(playback.is_paused() ? "paused" : "playing on");
     }
 }
 

@@ -12,6 +12,7 @@
 #include "engine/control/action_dispatcher.hpp"
 #include "engine/control/live_actions.hpp"
 #include "engine/live/live_graph.hpp"
+#include "engine/outputs/outputs.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/show/staging.hpp"
 #include "engine/show/window_loop.hpp"
@@ -41,11 +42,13 @@ class StageLoop final : private engine::WindowContent {
  public:
     /// How the stage is shown and when it ends.
     struct Options {
-        bool is_headless = false;       ///< no window: a line of progress instead
-        bool is_fullscreen = false;     ///< else a window of the settings' size
-        std::optional<double> seconds;  ///< ends after this much of the music
+        bool is_headless = false;                      ///< no window: a line of progress instead
+        bool is_fullscreen = false;                    ///< else a window of the settings' size
+        std::optional<double> seconds;                 ///< ends after this much of the music
+        std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
     };
-    /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme or camera.
+    /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme
+    /// or camera, an output that cannot be opened.
     [[nodiscard]] static Expected<std::unique_ptr<StageLoop>> create(
         const engine::Settings& settings,
         const Options& options,
@@ -109,6 +112,7 @@ class StageLoop final : private engine::WindowContent {
     std::optional<engine::WindowLoop> window_;
     engine::Staging staging_;
     engine::LiveActions live_actions_;
+    std::unique_ptr<engine::Outputs> outputs_;
     std::string formation_;                   // whose distance the camera has
     DanceId selected_dance_ = DanceId::none;  // none: the recognised one
     // What was danced when the last file ended; kept with K, it goes on with the next file.

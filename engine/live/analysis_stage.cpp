@@ -61,15 +61,20 @@ float AnalysisStage::level_dbfs(HostTime now) const noexcept RAKS_NONBLOCKING {
 
 void AnalysisStage::mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING {
     clock_map_.update(stream, host);
-    // The reader on the main thread gets the whole line at once, never half of an update.
+    publish_clock();
+}
+
+// Each reader gets the whole line at once, never half of an update.
+void AnalysisStage::publish_clock() noexcept {
     clock_line_.write(clock_map_.line());
+    feed_->set_clock(clock_map_.line());
 }
 
 void AnalysisStage::stop_clock(StreamTime stream) noexcept RAKS_NONBLOCKING {
     // A pause calls this with every block; only the first call changes anything.
     if (clock_map_.line().is_running) {
         clock_map_.stop(stream);
-        clock_line_.write(clock_map_.line());
+        publish_clock();
     }
 }
 

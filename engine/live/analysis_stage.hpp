@@ -14,6 +14,7 @@
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
 #include "engine/live/clock_map.hpp"
+#include "engine/live/music_feed.hpp"
 #include "engine/live/planned_states.hpp"
 #include "engine/live/timing.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -65,6 +66,9 @@ class AnalysisStage {
     /// The clock as of the newest block. Threads: main only (one reader).
     [[nodiscard]] const ClockLine& clock() noexcept { return clock_line_.read(); }
 
+    /// What a reader on a thread of its own is told; it may outlive this.
+    [[nodiscard]] const std::shared_ptr<MusicFeed>& feed() const noexcept { return feed_; }
+
     /// The states of a song that is known before it sounds, in place of those that are found.
     [[nodiscard]] PlannedStates& planned() noexcept { return planned_; }
 
@@ -98,6 +102,7 @@ class AnalysisStage {
 
     AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer);
     void run_commands() noexcept;
+    void publish_clock() noexcept;
 
     SampleRate rate_;
     StreamTime blind_until_{};  // of the blind hops so far; audio thread's own
@@ -108,6 +113,7 @@ class AnalysisStage {
     EventQueue<audio::AnalyzerCommand> commands_{64};
     ClockMap clock_map_;
     LatestValue<ClockLine> clock_line_;
+    std::shared_ptr<MusicFeed> feed_ = std::make_shared<MusicFeed>();
     TimingHistogram callback_times_;
     std::atomic<std::int64_t> frames_taken_{0};
     std::atomic<float> level_dbfs_{-120.0F};  // at level_at_ns_

@@ -130,13 +130,14 @@ Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     }
     for_main_ = std::make_unique<StageChannel>();
     // The main thread is a reader of the stage like any other, over a channel of its own.
-    MotionStage::Wiring wiring{analysis_->states(), config.readers, config.record};
+    MotionStage::Wiring wiring{
+        analysis_->states(), config.readers, config.record, analysis_->feed().get()};
     wiring.readers.push_back(for_main_.get());
     motion_ = std::make_unique<MotionThread>(std::move(dancers), std::move(wiring));
     if (stream_) {
         motion_->stay_below(stream_->callback_priority());
     }
-    hold_back_dance();
+    publish_delay();
     return {};
 }
 
@@ -160,7 +161,7 @@ void LiveGraph::set_device(const audio::AudioDevice& device) {
 
 std::vector<std::string> LiveGraph::watch(HostTime now) {
     std::vector<std::string> lines;
-    hold_back_dance();
+    publish_delay();
     if (!keeper_) {
         return lines;
     }
@@ -307,17 +308,20 @@ Nanos LiveGraph::heard_after() const noexcept {
 }
 
 HostTime LiveGraph::heard_at(StreamTime t) noexcept {
-    return analysis_->clock().host_at(t) + heard_after();
+    return HeardLine{analysis_->clock(), heard_after()}.heard_at(t);
 }
 
 StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
-    return analysis_->clock().stream_at(seen_at) + pose_lead_ - heard_after();
+    return HeardLine{analysis_->clock(), heard_after()}.heard_by(seen_at) + pose_lead_;
 }
 
-// What is analyzed long before it is heard is danced only when it is nearly due: tracks keep poses
-// for a while only, and what a person asks for must not come after what was danced ahead.
-void LiveGraph::hold_back_dance() noexcept {
-    const Nanos ahead = heard_after() - pose_lead_ - kLongestAhead;
+// Readers on other threads and the motion thread are told how late it is heard. What is analyzed
+// long before that is danced only when it is nearly due: tracks keep poses for a while only, and
+// what a person asks for must not come after what was danced ahead.
+void LiveGraph::publish_delay() noexcept {
+    const Nanos after = heard_after();
+    analysis_->feed()->set_heard_after(after);
+    const Nanos ahead = after - pose_lead_ - kLongestAhead;
     motion_->hold_back(ahead > Nanos(0) ? static_cast<std::size_t>(ahead / kHop) : 0);
 }
 

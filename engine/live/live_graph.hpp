@@ -108,6 +108,11 @@ class LiveGraph {
     /// inverse of heard_at()), later by the pose lead.
     [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
 
+    /// What the music says, and when it is heard, for one reader on another thread.
+    [[nodiscard]] const std::shared_ptr<MusicFeed>& feed() const noexcept {
+        return analysis_->feed();
+    }
+
     /// The newest stage that the motion thread published. Threads: main only (one reader).
     [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
     /// How long after its block is handed over, or came in, the sound is heard: as the device
@@ -162,7 +167,7 @@ class LiveGraph {
     void take_news(std::vector<std::string>& lines);
     void take_over(DeviceKeeper::News& news, std::vector<std::string>& lines);
     void watch_silence(HostTime now);
-    void hold_back_dance() noexcept;
+    void publish_delay() noexcept;
 
     audio::AudioDevice device_;  // the one that runs, or ran last
     Nanos last_heard_after_{};   // while the device is gone

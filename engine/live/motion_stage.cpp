@@ -109,6 +109,9 @@ void MotionStage::tick() noexcept RAKS_NONBLOCKING {
         stage_->recent[static_cast<std::size_t>(stage_->music.hop) % StageState::kRecent] =
             stage_->music;
         stage_->dancer = dancers_->status();
+        if (wiring_.feed != nullptr) {
+            wiring_.feed->tell(stage_->music);
+        }
         const bool is_recorded =
             wiring_.record == nullptr ||
             wiring_.record->push({stage_->music.hop, stage_->track().at_hop(stage_->music.hop)});

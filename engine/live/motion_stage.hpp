@@ -14,6 +14,7 @@
 #include "base/channels/retire_queue.hpp"
 #include "base/music_state.hpp"
 #include "base/thread_priority.hpp"
+#include "engine/live/music_feed.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
@@ -68,6 +69,8 @@ class MotionStage {
         std::vector<StageChannel*> readers = {};
         /// Gets every danced hop; what it has no room for is not counted as danced.
         EventQueue<DancedHop>* record = nullptr;
+        /// Is told every state that is danced to; null: nobody is.
+        MusicFeed* feed = nullptr;
     };
 
     /// `dancers` are prepared, at least one.

@@ -119,6 +119,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
      {"base", "base/channels", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},
     {"engine/offline", {"base", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},
     {"engine/control", {"base", "audio", "audio/beat", "motion", "engine/live"}},
+    {"engine/outputs", {"base", "engine/live"}},
     {"engine/show",
      {"base", "motion", "motion/**", "render", "render/**", "engine/setup", "engine/control"}},
     {"engine/trials",

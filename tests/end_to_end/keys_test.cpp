@@ -19,15 +19,20 @@ namespace {
 class Keys : public WindowTest {
  protected:
     void start(const std::string& overlay, const std::string& view = "auto") {
-        raks_.emplace(in_window(
-            {"play", path("one.wav"), path("two.wav"), "--no-sound", overlay, "--view", view}));
+        raks_.emplace(in_window({"-v",
+                                 "play",
+                                 path("one.wav"),
+                                 path("two.wav"),
+                                 "--no-sound",
+                                 overlay,
+                                 "--view",
+                                 view}));
         ASSERT_TRUE(raks_->wait_for_output("one.wav"));
     }
     /// The picture in the pause.
     std::string start_and_pause(const std::string& overlay) {
         start(overlay);
-        press({"space"});
-        return still_picture();
+        return pause(*raks_);
     }
     /// The picture in a pause of the dance. (The first moments of a song have no pose before them.)
     /// A stick figure: hair that has swung on does not swing back.
@@ -35,8 +40,7 @@ class Keys : public WindowTest {
         start("--no-overlay", "stick");
         const std::string standing = picture();
         EXPECT_TRUE(shows([&](const std::string& now) { return difference(now, standing) > 0.5; }));
-        press({"space"});
-        return still_picture();
+        return pause(*raks_);
     }
     static bool shows_again(const std::string& picture) {
         return shows([&](const std::string& now) { return now == picture; });

@@ -119,6 +119,12 @@ std::string WindowTest::still_picture() {
     return last;
 }
 
+std::string WindowTest::pause(CapturedProcess& raks) {
+    press({"space"});
+    EXPECT_TRUE(raks.wait_for_output("raks: paused"));
+    return still_picture();
+}
+
 std::string lower(const std::string& picture) { return picture.substr(picture.size() / 9 * 7); }
 
 int count_of(const std::string& text, const std::string& said) {

@@ -40,6 +40,10 @@ class WindowTest : public ProgramTest {
     /// part (what changes in a pause, the pictures a second, is written in the upper one).
     static std::string still_picture();
 
+    /// Presses the key for a pause of a program that was started with -v, and the picture then. (A
+    /// song that is held back stands still, too: what the picture is before says nothing.)
+    static std::string pause(CapturedProcess& raks);
+
     std::optional<Xvfb> display_;
 };
 

@@ -71,10 +71,9 @@ TEST_F(WindowTest, quits_at_the_end_where_that_is_asked_for) {
 }
 
 TEST_F(WindowTest, the_position_bar_and_the_play_sign_can_be_clicked) {
-    CapturedProcess raks(in_window({"play", "--no-sound", path("one.wav"), "--overlay"}));
+    CapturedProcess raks(in_window({"-v", "play", "--no-sound", path("one.wav"), "--overlay"}));
     ASSERT_TRUE(raks.wait_for_output("one.wav"));
-    press({"space"});
-    const std::string paused = lower(still_picture());
+    const std::string paused = lower(pause(raks));
     // In a window of 640x360 a unit of the overlay is 0.75 pixels: the card begins at 18, 285.
     constexpr int kBarY = 315;
     click(180, kBarY);

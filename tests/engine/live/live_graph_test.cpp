@@ -65,6 +65,22 @@ TEST_F(GraphOnItsOwnClock, a_registered_reader_sees_what_the_main_thread_sees) {
     EXPECT_EQ(reader_->read().dancers, 1U);
 }
 
+TEST_F(GraphOnItsOwnClock, a_reader_on_another_thread_is_told_every_hop_and_when_it_is_heard) {
+    graph_->set_latency_offset(std::chrono::milliseconds(40));
+    static_cast<void>(graph_->watch(HostClock::now()));
+    MusicState state;
+    for (HopIndex hop = 0; hop < 30; ++hop) {
+        wait_until([&] { return graph_->feed()->take(state); });
+        EXPECT_EQ(state.hop, hop);
+    }
+    pause();
+    const HostTime here = graph_->heard_at(state.time);
+    EXPECT_EQ(graph_->feed()->heard_line().heard_at(state.time), here);
+    const std::shared_ptr<MusicFeed> feed = graph_->feed();
+    graph_.reset();
+    EXPECT_EQ(feed->heard_line().heard_at(state.time), here) << "it outlives the graph";
+}
+
 TEST_F(GraphOnItsOwnClock, other_dancers_take_over_while_it_plays) {
     wait_until([&] { return graph_->stage().music.hop >= 20; });
     ASSERT_TRUE(graph_->replace_dancers(cast(motion::Formation::unison)));

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "base/channels/event_queue.hpp"
+#include "base/channels/latest_value.hpp"
+#include "base/music_state.hpp"
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+#include "engine/live/clock_map.hpp"
+
+namespace raks::engine {
+
+/// Stream time and host time as they are heard: a straight line.
+struct HeardLine {
+    ClockLine clock;      ///< when a moment of the stream is handed to the device, or came from it
+    Nanos heard_after{};  ///< how long after that it is heard
+
+    /// The host time at which stream time `t` is heard; while nothing runs, that of the last block.
+    [[nodiscard]] HostTime heard_at(StreamTime t) const noexcept {
+        return clock.host_at(t) + heard_after;
+    }
+    /// What is heard at a host time; stands still while nothing runs.
+    [[nodiscard]] StreamTime heard_by(HostTime host) const noexcept {
+        return clock.stream_at(host) - heard_after;
+    }
+};
+
+/// What one piece of music says, hop by hop, and when that is heard, for one reader on a thread of
+/// its own. A reader of beats has all it needs here and costs no copy of a pose.
+///
+/// Threads: what is marked *motion*, *audio*, *main* and *reader* from that one alone; the reader
+/// may change, where the one before has finished. Real-time: all of it.
+class MusicFeed {
+ public:
+    /// States wait here for the reader: 2.5 s of them.
+    static constexpr std::size_t kRoom = 256;
+
+    /// *motion* One hop, in order; dropped and counted where the reader is behind.
+    void tell(const MusicState& state) noexcept RAKS_NONBLOCKING { states_.push(state); }
+    /// *audio* The clock as of the newest block.
+    void set_clock(const ClockLine& line) noexcept RAKS_NONBLOCKING { clock_.write(line); }
+    /// *main* What heard_line() adds to the clock.
+    void set_heard_after(Nanos span) noexcept RAKS_NONBLOCKING {
+        heard_after_ns_.store(span.count(), std::memory_order_relaxed);  // a number by itself
+    }
+
+    /// *reader* The next state; false: none waits.
+    [[nodiscard]] bool take(MusicState& state) noexcept RAKS_NONBLOCKING {
+        return states_.pop(state);
+    }
+    /// *reader* When it is heard, as far as is known now.
+    [[nodiscard]] HeardLine heard_line() noexcept RAKS_NONBLOCKING {
+        // relaxed: see set_heard_after()
+        return {clock_.read(), Nanos(heard_after_ns_.load(std::memory_order_relaxed))};
+    }
+    /// States that the reader was too slow for, so far. Threads: any.
+    [[nodiscard]] std::uint64_t dropped() const noexcept { return states_.dropped(); }
+
+ private:
+    EventQueue<MusicState> states_{kRoom};
+    LatestValue<ClockLine> clock_;
+    std::atomic<std::int64_t> heard_after_ns_{0};
+};
+
+}  // namespace raks::engine

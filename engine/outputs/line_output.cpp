@@ -1,0 +1,124 @@
+#include "engine/outputs/line_output.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "base/descriptor.hpp"
+#include "base/json.hpp"
+
+namespace raks::engine {
+namespace {
+
+// In the order of MusicEvent::Kind.
+constexpr std::array<std::string_view, 7> kEventWords{
+    "none", "stop", "entry", "breakdown", "build-up", "drop", "end"};
+
+double rounded(double value, double steps) { return std::round(value * steps) / steps; }
+
+// One line, with its end.
+std::string line_of(const OutputMoment& moment) {
+    const Notice& notice = moment.notice;
+    const double in_ms = to_seconds(moment.heard_at - HostClock::now()) * 1e3;
+    Json line = Json::object();
+    if (notice.kind == Notice::Kind::beat) {
+        line["do"] = "beat";
+        line["count"] = notice.count;
+        line["bar"] = notice.bar;
+        line["bpm"] = rounded(notice.tempo.bpm(), 100.0);
+        line["confidence"] = rounded(notice.confidence, 100.0);
+        line["change"] = notice.is_change;
+    } else {
+        line["do"] = kEventWords[static_cast<std::size_t>(notice.event)];
+    }
+    line["in_ms"] = static_cast<std::int64_t>(std::lround(in_ms));
+    return line.text() + "\n";
+}
+
+// Writes lines to a descriptor that does not block.
+class LineOutput final : public Output {
+ public:
+    /// Takes the descriptor over.
+    LineOutput(int file, std::string name) : file_(file), name_(std::move(name)) {}
+
+    void tell(const OutputMoment& moment) override {
+        // The rest of a line that was begun comes first: lines are whole, or missing.
+        flush();
+        if (!waiting_.empty() || has_ended_) {
+            count_dropped();
+            return;
+        }
+        waiting_ = line_of(moment);
+        flush();
+        has_ended_ ? count_dropped() : count_sent();
+    }
+
+    std::optional<std::string> take_trouble() override {
+        return std::exchange(trouble_, std::nullopt);
+    }
+
+ private:
+    // As another process may share what is open, it stays a blocking one: asked before each write.
+    [[nodiscard]] bool takes_more() const {
+        pollfd state{file_.number, POLLOUT, 0};
+        return poll(&state, 1, 0) > 0;
+    }
+
+    // What is offered at once is at most PIPE_BUF, for which a pipe that takes more has room.
+    void flush() {
+        while (!waiting_.empty() && !has_ended_ && takes_more()) {
+            const ssize_t written = write(file_.number, waiting_.data(), waiting_.size());
+            if (written > 0) {
+                waiting_.erase(0, static_cast<std::size_t>(written));
+            } else if (errno != EINTR && errno != EAGAIN) {
+                has_ended_ = true;
+                trouble_ = "--lines: " + name_ + ": " + std::generic_category().message(errno) +
+                           "; no more lines go there";
+            } else {
+                return;
+            }
+        }
+    }
+
+    Descriptor file_;
+    std::string name_;
+    std::string waiting_;
+    bool has_ended_ = false;
+    std::optional<std::string> trouble_;
+};
+
+// Errors: the system's.
+Expected<int> open_target(const std::string& target) {
+    if (target == "-") {
+        const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+        return copy >= 0 ? Expected<int>(copy) : fail("standard output is closed");
+    }
+    struct stat state {};
+    const bool is_there = stat(target.c_str(), &state) == 0;
+    if (is_there && S_ISREG(state.st_mode)) {
+        return fail("the file is there already; give a new name, or a pipe");
+    }
+    // Both ways, so that opening a pipe waits for no reader.
+    const int flags = is_there ? O_RDWR : O_WRONLY | O_CREAT | O_EXCL;
+    const int file = open(target.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666);
+    return file >= 0 ? Expected<int>(file) : fail(std::generic_category().message(errno));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Output>> open_lines(const std::string& target) {
+    const auto file = open_target(target);
+    if (!file) {
+        return fail("--lines " + target + ": " + file.error().message);
+    }
+    return std::make_unique<LineOutput>(*file, target);
+}
+
+}  // namespace raks::engine
