@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <string>
 
-#include "apps/raks/command_table.hpp"
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/raks/command_table.hpp"
+#include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/say.hpp"
 
 namespace raks::apps {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/calibration/board_drawing.hpp"

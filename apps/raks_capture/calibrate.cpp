@@ -7,8 +7,8 @@
 #include <string>
 
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/filmed_boards.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"

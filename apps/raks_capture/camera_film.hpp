@@ -10,7 +10,7 @@
 
 #include "apps/raks_capture/filmed_picture.hpp"
 #include "base/expected.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "render/scene/placed_camera.hpp"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/json.hpp"
 #include "motion/evaluate/motion_comparison.hpp"

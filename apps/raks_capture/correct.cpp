@@ -1,6 +1,6 @@
 // `raks capture correct`: a person puts tracks right.
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/correct_session.hpp"
 #include "apps/raks_capture/correct_window.hpp"
 

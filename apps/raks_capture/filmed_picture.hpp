@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/dice.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 #include "render/scene/placed_camera.hpp"
 
 #include <glm/vec3.hpp>

@@ -1,8 +1,8 @@
 // `raks capture label`: which marker is where in first pictures.
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/label_checks.hpp"
 #include "apps/raks_capture/label_window.hpp"
 #include "apps/terminal/say.hpp"

@@ -2,7 +2,7 @@
 // needs OpenCV and Ceres, which the dancing program should not load.
 #include <memory>
 
-#include "apps/raks_capture/command_table.hpp"
+#include "apps/raks_capture/capture_command_table.hpp"
 #include "apps/terminal/program.hpp"
 
 int main(int argc, char** argv) {

@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_page.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"

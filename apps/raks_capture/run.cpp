@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/drawn_boards.hpp"
 #include "apps/raks_capture/drawn_films.hpp"
 #include "apps/raks_capture/filmed_motion.hpp"

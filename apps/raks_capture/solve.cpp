@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/solve_figures.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"

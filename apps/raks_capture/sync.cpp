@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/sync_report.hpp"
 #include "apps/raks_capture/synchronise.hpp"
 #include "apps/terminal/program.hpp"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/program.hpp"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "apps/raks_train/command_table.hpp"
-#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/train_command_table.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/option_checks.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 // The options of `raks train figure` and `raks train report`.
 #include "apps/clips/body_options.hpp"
 #include "apps/clips/joint_options.hpp"
-#include "apps/raks_train/command_table.hpp"
-#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/train_command_table.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/option_checks.hpp"
 
 namespace raks::apps {

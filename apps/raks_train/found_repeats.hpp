@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "base/expected.hpp"
 #include "training/discovery/clip_discovery.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/raks_train/command_table.hpp"
-#include "apps/raks_train/commands.hpp"
 #include "apps/raks_train/genre_options.hpp"
+#include "apps/raks_train/train_command_table.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "audio/genre/genre_scorer.hpp"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "apps/raks_train/command_table.hpp"
+#include "apps/raks_train/train_command_table.hpp"
 #include "apps/terminal/program.hpp"
 
 namespace {

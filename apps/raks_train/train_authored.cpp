@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "apps/dances/written_dance.hpp"
-#include "apps/raks_train/commands.hpp"
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/likelihoods.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_folder.hpp"

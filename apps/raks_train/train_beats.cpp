@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "apps/raks_train/commands.hpp"
 #include "apps/raks_train/installed_styles.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/pending_file.hpp"

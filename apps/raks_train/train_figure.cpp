@@ -1,4 +1,4 @@
-#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/train_commands.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "apps/raks_train/commands.hpp"
 #include "apps/raks_train/genre_learning.hpp"
 #include "apps/raks_train/genre_material.hpp"
 #include "apps/raks_train/installed_styles.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"

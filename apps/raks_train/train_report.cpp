@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/clips/clip_reading.hpp"
-#include "apps/raks_train/commands.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/reports/figure_report_page.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"

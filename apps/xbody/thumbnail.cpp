@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/panes/widgets.hpp"
 
 namespace raks::apps {

@@ -9,7 +9,7 @@
 
 #include "base/printable.hpp"
 #include "engine/import/scene_parts.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/import/plain_picture.hpp"
 #include "render/import/srgb.hpp"
 

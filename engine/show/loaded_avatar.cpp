@@ -13,7 +13,7 @@
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "render/avatar/model_avatar.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/mannequin/mannequin.hpp"
 
 namespace raks::engine {

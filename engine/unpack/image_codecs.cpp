@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 
 // libpng and libjpeg leave by longjmp. Each jump here ends in the function that called the library,
 // which holds nothing with a destructor: what must be freed is the caller's.

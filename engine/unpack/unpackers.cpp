@@ -3,7 +3,7 @@
 #include <meshoptimizer.h>
 
 #include "engine/unpack/image_codecs.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 
 namespace raks::engine {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

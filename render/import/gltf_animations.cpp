@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/printable.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

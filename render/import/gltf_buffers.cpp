@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

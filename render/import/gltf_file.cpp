@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/printable.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/printable.hpp"
 #include "render/import/model_images.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

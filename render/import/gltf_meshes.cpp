@@ -6,7 +6,7 @@
 
 #include "base/printable.hpp"
 #include "render/import/gltf_primitive.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

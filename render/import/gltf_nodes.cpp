@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/printable.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/mat3x3.hpp>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/vertex_influences.hpp"
 
 #include <glm/geometric.hpp>

@@ -13,7 +13,7 @@
 #include "render/import/gltf_meshes.hpp"
 #include "render/import/gltf_nodes.hpp"
 #include "render/import/json_field.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/vrm.hpp"
 
 namespace raks::render {

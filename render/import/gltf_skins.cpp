@@ -6,7 +6,7 @@
 #include <set>
 
 #include "render/import/gltf_nodes.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

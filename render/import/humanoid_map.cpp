@@ -11,8 +11,8 @@
 #include "render/import/bind_places.hpp"
 #include "render/import/humanoid_names.hpp"
 #include "render/import/humanoid_shape.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/node_tree.hpp"
-#include "render/import/notes.hpp"
 
 namespace raks::render {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "render/import/gltf_materials.hpp"
 #include "render/import/json_field.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/model/model.hpp"
 
 #include <glm/vec3.hpp>

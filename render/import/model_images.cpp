@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 namespace raks::render {
 namespace {

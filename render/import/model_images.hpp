@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/expected.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/import/plain_bytes.hpp"
 #include "render/import/png_packer.hpp"
 

@@ -9,8 +9,8 @@
 #include "render/import/bind_places.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/humanoid_shape.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/node_tree.hpp"
-#include "render/import/notes.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <glm/geometric.hpp>

@@ -10,7 +10,7 @@
 
 #include "base/printable.hpp"
 #include "render/import/model_images.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/plain_picture.hpp"
 #include "render/import/srgb.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/printable.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/tds_meshes.hpp"
 #include "render/import/tds_tracks.hpp"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "render/import/import_budget.hpp"
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/tds_file.hpp"
 #include "render/import/tds_materials.hpp"
 #include "render/import/tds_nodes.hpp"

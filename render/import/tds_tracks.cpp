@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 #include "render/import/tds_meshes.hpp"
 
 #include <glm/geometric.hpp>

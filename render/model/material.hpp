@@ -15,7 +15,7 @@
 namespace raks::render {
 
 /// An image as it lies in the file, still packed. Its head has been looked at: the size is known
-/// and within bounds before anything is unpacked (render/import/image.hpp).
+/// and within bounds before anything is unpacked (render/import/image_file.hpp).
 struct ModelImage {
     std::string name;
     std::vector<std::byte> packed;  ///< PNG, JPEG or WebP; empty: it could not be read

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/commands.hpp"
 #include "apps/raks_capture/sync_report.hpp"
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/damage/room_recorder.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/jack_delay.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"

@@ -8,7 +8,7 @@
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "tests/end_to_end/filmed_board.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

@@ -13,8 +13,8 @@
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/markers/tracks.hpp"
-#include "tests/end_to_end/program.hpp"
-#include "tests/support/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/xvfb.hpp"
 
 #include <glm/geometric.hpp>

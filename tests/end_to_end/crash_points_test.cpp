@@ -15,7 +15,7 @@
 #include "base/pending_file.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/skeleton.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/extent.hpp"
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "audio/music/generator/music_generator.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/child_process.hpp"
-#include "tests/support/program.hpp"
 #include "tests/support/pulse_server.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/text.hpp"
 
 namespace raks::test {

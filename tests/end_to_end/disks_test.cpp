@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/child_process.hpp"
 
 namespace raks::test {

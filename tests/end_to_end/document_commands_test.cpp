@@ -15,7 +15,7 @@
 
 #include "base/file.hpp"
 #include "tests/end_to_end/manual.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/pending_file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 #include <nlohmann/json.hpp>
 

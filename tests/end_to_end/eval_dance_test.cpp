@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "audio/io/wav_writer.hpp"
-#include "tests/end_to_end/program.hpp"
-#include "tests/support/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
+#include "tests/support/run_program.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -9,7 +9,7 @@
 #include "base/file.hpp"
 #include "tests/end_to_end/window.hpp"
 #include "tests/support/jack_server.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace raks::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {
 namespace {

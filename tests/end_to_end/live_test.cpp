@@ -15,7 +15,7 @@
 
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/pulse_server.hpp"
 #include "tests/support/stall_watch.hpp"

@@ -17,7 +17,7 @@
 
 #include "base/file.hpp"
 #include "base/random.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/extent.hpp"
 
 #include <fmt/format.h>

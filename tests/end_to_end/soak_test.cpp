@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "tests/audio/listen.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::test {

@@ -10,7 +10,7 @@
 #include "base/pending_file.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "tests/end_to_end/manual.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/training/discovery/stepping_dance.hpp"
 
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/pending_file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {
 namespace {

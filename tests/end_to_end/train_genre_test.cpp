@@ -10,7 +10,7 @@
 #include "audio/music/generator/music_generator.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {
 namespace {

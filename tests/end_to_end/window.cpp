@@ -6,7 +6,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/pending_file.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace raks::test {
 namespace {

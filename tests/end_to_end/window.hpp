@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/xvfb.hpp"
 
 namespace raks::test {

@@ -6,7 +6,7 @@
 
 #include "tests/end_to_end/window.hpp"
 #include "tests/support/file_drop.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace raks::test {
 namespace {

@@ -9,10 +9,10 @@
 #include "apps/xbody/xbody_pane.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/render/import/tiny_tds.hpp"
 #include "tests/support/file_drop.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/xvfb.hpp"
 
 namespace raks::test {

@@ -18,7 +18,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "base/random.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/support/extent.hpp"
 #include "tests/support/mangled.hpp"

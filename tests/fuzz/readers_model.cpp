@@ -12,7 +12,7 @@
 #include "render/avatar/skin_vertices.hpp"
 #include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/plain_picture.hpp"

@@ -9,7 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {
 namespace {

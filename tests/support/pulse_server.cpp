@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/server_start.hpp"
 
 namespace raks::test {

@@ -5,7 +5,7 @@
 
 #include "motion/capture/calibration/board.hpp"
 #include "motion/capture/calibration/board_detection.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>

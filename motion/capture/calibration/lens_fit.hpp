@@ -7,7 +7,7 @@
 #include "base/expected.hpp"
 #include "motion/capture/calibration/board.hpp"
 #include "motion/capture/calibration/board_detection.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 
 namespace raks::capture {
 

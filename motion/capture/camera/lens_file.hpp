@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/expected.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 #include "motion/capture/camera/opencv_yaml.hpp"
 
 /// The format (OpenCV's FileStorage, of which only what is needed is understood):

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 
 namespace raks::capture {
 

@@ -13,7 +13,7 @@
 #include "audio/io/audio_file.hpp"
 #include "audio/io/decoders.hpp"
 #include "tests/support/extent.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {

@@ -10,7 +10,7 @@
 
 #include "engine/films/film_reader.hpp"
 #include "render/video/video_writer.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace raks::engine::films {
 

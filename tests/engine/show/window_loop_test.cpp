@@ -20,7 +20,7 @@
 #include "base/pending_file.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "tests/support/file_drop.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/xvfb.hpp"
 

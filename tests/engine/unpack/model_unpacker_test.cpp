@@ -16,7 +16,7 @@
 
 #include "base/pending_file.hpp"
 #include "engine/unpack/unpackers.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "render/import/png_packer.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/file.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -12,7 +12,7 @@
 
 #include "base/random.hpp"
 #include "render/video/video_writer.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::render {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "render/overlay/overlay.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/xvfb.hpp"
 
 // last, for X.h defines names such as None

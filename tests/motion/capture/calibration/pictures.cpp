@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/file.hpp"
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 
 namespace raks::capture::test {
 

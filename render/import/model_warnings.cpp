@@ -1,4 +1,4 @@
-#include "render/import/notes.hpp"
+#include "render/import/model_warnings.hpp"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-#include "apps/raks_capture/command_table.hpp"
+#include "apps/raks_capture/capture_command_table.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "apps/clips/body_options.hpp"
-#include "apps/raks_capture/commands.hpp"
+#include "apps/raks_capture/capture_commands.hpp"
 #include "apps/terminal/option_checks.hpp"
 
 namespace raks::apps {

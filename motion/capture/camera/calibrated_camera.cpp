@@ -1,4 +1,4 @@
-#include "motion/capture/camera/camera.hpp"
+#include "motion/capture/camera/calibrated_camera.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Pictures: the three kinds are read to the same pixels, and hostile ones are refused.
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tests/support/program.hpp"
+#include "tests/support/run_program.hpp"
 
 #include <chrono>
 #include <stdexcept>

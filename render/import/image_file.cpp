@@ -1,4 +1,4 @@
-#include "render/import/image.hpp"
+#include "render/import/image_file.hpp"
 
 #include <fmt/format.h>
 
