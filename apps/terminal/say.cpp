@@ -1,6 +1,7 @@
 #include "apps/terminal/say.hpp"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -90,11 +91,20 @@ void say_detail(std::string_view line) {
     }
 }
 
+namespace {
+
+// A line of progress would else stand before the first line of a result on the same terminal.
+void clear_progress() { std::fputs(clearing(), lines()); }
+
+}  // namespace
+
 void print_json(std::string_view document) {
+    clear_progress();
     std::fwrite(document.data(), 1, document.size(), stdout);
 }
 
 void print_text(std::string_view text) {
+    clear_progress();
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
         // Nothing is cut out of a result, however long it is.
@@ -114,6 +124,15 @@ constexpr double kSecondsBetween = 0.2;
 // Before that much is done and has been waited for, what is left is a guess.
 constexpr double kLeastShare = 0.02;
 constexpr double kLeastSeconds = 2.0;
+
+// Columns of a terminal that does not tell them.
+constexpr std::size_t kUsualColumns = 80;
+
+std::size_t columns_of_terminal() {
+    winsize size{};
+    const bool is_known = ioctl(descriptor_of_lines(), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? size.ws_col : kUsualColumns;
+}
 }  // namespace
 
 ProgressLine::ProgressLine(std::string_view what)
@@ -121,7 +140,7 @@ ProgressLine::ProgressLine(std::string_view what)
       is_terminal_(isatty(descriptor_of_lines()) == 1 && talk() != Talk::quiet),
       start_seconds_(seconds_now()) {}
 
-ProgressLine::~ProgressLine() { std::fputs(clearing(), lines()); }
+ProgressLine::~ProgressLine() { clear_progress(); }
 
 void ProgressLine::rename(std::string_view what) { what_ = printable(what, 60); }
 
@@ -141,8 +160,16 @@ void ProgressLine::show(const std::string& text) {
         return;
     }
     last_seconds_ = now;
+    // A line that goes on in the next row cannot be cleared: what stands before is cut to fit. The
+    // last column stays free, behind which some terminals begin the next row.
+    const std::size_t taken = text.size() + 2;
+    const std::size_t columns = columns_of_terminal();
+    const std::size_t room = columns > taken ? columns - taken : 0;
+    // What printable cuts has three dots in its middle.
+    const std::string what =
+        what_.size() <= room ? what_ : printable(what_, room > 3 ? room - 3 : 0);
     g_progress_is_shown.store(true, std::memory_order_relaxed);  // relaxed: as above
-    std::fprintf(lines(), "\r\033[K%s %s", what_.c_str(), text.c_str());
+    std::fprintf(lines(), "\r\033[K%s %s", what.c_str(), text.c_str());
     std::fflush(lines());
 }
 

@@ -41,7 +41,8 @@ void print_json(std::string_view document);
 /// a second, and not where `quiet`. The lines above clear it before they are written. Threads: one.
 class ProgressLine {
  public:
-    /// `what`: stands before the progress, cut to 60 characters.
+    /// `what`: stands before the progress, cut to 60 characters, or to what the terminal has room
+    /// for.
     explicit ProgressLine(std::string_view what);
     ~ProgressLine();  ///< clears the line
     /// Not copied: two would write to the same line.
