@@ -135,7 +135,7 @@ void BodyPainter::set_pose(std::size_t dancer, const motion::Pose& pose, View vi
     upload_bones(dancer, world_from_joint);
 }
 
-void BodyPainter::set_figure(const Shape<StickVertex>& in_world) {
+void BodyPainter::set_recorded_body(const Shape<StickVertex>& in_world) {
     view_ = View::stick;
     figure_.emplace(stick_mesh(in_world));
     std::array<glm::mat4, kPaletteSize> world_from_joint{};

@@ -41,7 +41,7 @@ class BodyPainter {
 
     /// Draws this figure in place of the avatar, as dancer 0, until its next `set_pose`: its
     /// vertices are in world space and all of bone 0.
-    void set_figure(const Shape<StickVertex>& in_world);
+    void set_recorded_body(const Shape<StickVertex>& in_world);
 
     /// Body, or its image in the floor.
     enum class Image { upright, mirrored };

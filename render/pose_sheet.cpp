@@ -52,11 +52,9 @@ FrameTarget tile(const FrameTarget& sheet,
 
 /// Where the camera looks: under or over the hips.
 glm::vec3 hips_of(const motion::Pose& pose) { return pose.hips_position; }
-glm::vec3 hips_of(const ClipFigure& figure) {
-    return figure.landmarks.position(motion::Bone::hips);
-}
+glm::vec3 hips_of(const ClipBody& body) { return body.landmarks.position(motion::Bone::hips); }
 
-/// One sheet of poses or of recorded figures: all tiles go into one target, which is read once.
+/// One sheet of poses or of recorded bodies: all tiles go into one target, which is read once.
 template <typename Body>
 Expected<PoseSheet> draw_sheet(Renderer& renderer,
                                const Scene& scene,
@@ -114,9 +112,9 @@ Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
 
 Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
                                     const Scene& scene,
-                                    std::span<const ClipFigure> figures,
+                                    std::span<const ClipBody> bodies,
                                     const PoseSheetConfig& config) {
-    return draw_sheet(renderer, scene, figures, config);
+    return draw_sheet(renderer, scene, bodies, config);
 }
 
 }  // namespace raks::render

@@ -46,7 +46,7 @@ struct PoseSheet {
 /// The same of a recorded body's frames.
 [[nodiscard]] Expected<PoseSheet> draw_pose_sheet(Renderer& renderer,
                                                   const Scene& scene,
-                                                  std::span<const ClipFigure> figures,
+                                                  std::span<const ClipBody> bodies,
                                                   const PoseSheetConfig& config = {});
 
 }  // namespace raks::render

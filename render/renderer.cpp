@@ -453,21 +453,21 @@ void Renderer::draw(const Scene& scene,
     }
 }
 
-void Renderer::draw(const Scene& scene, const ClipFigure& figure, const FrameTarget& target) {
+void Renderer::draw(const Scene& scene, const ClipBody& body, const FrameTarget& target) {
     AvatarPainter* const painter = parts_->find({});
     if (target.width < 1 || target.height < 1 || painter == nullptr) {
         return;
     }
     Scene as_sticks = scene;
-    // Materials follow the view: a recorded figure has the sticks' colours.
+    // Materials follow the view: a recorded body has the sticks' colours.
     as_sticks.view = View::stick;
     painter->begin_picture();
     const Painted dancer{painter, painter->take({}, View::stick), 0};
-    painter->body().set_figure(figure.shape);
+    painter->body().set_recorded_body(body.shape);
     constexpr float kOwnSize = 1.0F;
     parts_->draw(
         as_sticks,
-        frame_view(as_sticks, std::span(&figure.landmarks, 1), std::span(&kOwnSize, 1), target),
+        frame_view(as_sticks, std::span(&body.landmarks, 1), std::span(&kOwnSize, 1), target),
         std::span(&dancer, 1),
         target);
 }

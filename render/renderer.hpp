@@ -10,7 +10,7 @@
 #include "base/time.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "render/gl/frame_target.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 #include "render/scene/scene.hpp"
 
 namespace raks::render {
@@ -93,8 +93,8 @@ class Renderer {
     void draw(const Scene& scene, const motion::Pose& pose, const FrameTarget& target);
 
     /// The same with a recorded body's own stick figure in the avatar's place, whatever the scene's
-    /// view is. (Takes the figure into the driver's memory: 1 ms for 60 joints on llvmpipe.)
-    void draw(const Scene& scene, const ClipFigure& figure, const FrameTarget& target);
+    /// view is. (Takes the body into the driver's memory: 1 ms for 60 joints on llvmpipe.)
+    void draw(const Scene& scene, const ClipBody& body, const FrameTarget& target);
 
     /// From here on the spheres of a scene are drawn. Errors: a shader that the driver refuses.
     [[nodiscard]] Expected<void> prepare_spheres();

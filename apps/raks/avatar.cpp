@@ -17,7 +17,7 @@
 #include "engine/show/standing_model.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ namespace {
 // Names in files need not be UTF-8.
 std::string text_of(const Json& json) { return json.text(2) + "\n"; }
 
-/// Finds the bones of a model that does not name them. One without a figure is shown, too, but a
+/// Finds the bones of a model that does not name them. One without a body is shown, too, but a
 /// label file that is wrong is a fault.
 Expected<void> find_bones(render::Model& model, const Path& labels) {
     auto found = engine::find_bones(model, labels);
@@ -48,27 +48,27 @@ Expected<void> check_thumbnail(const Path& thumbnail, const Path& model) {
     return check_output(thumbnail, {model});
 }
 
-// How tall it dances; none: it is no figure.
+// How tall it dances; none: it has no body.
 std::optional<float> dancing_height(render::Model& model, const std::optional<float>& height) {
     if (!render::missing_bones(model.character.humanoid).empty()) {
         return std::nullopt;
     }
-    const render::StandingFigure figure = render::stand_up(model, height);
-    return figure.height * figure.scale;
+    const render::StandingBody standing = render::stand_up(model, height);
+    return standing.height * standing.scale;
 }
 
-// A picture of the model, as a figure at ease where it is one. Changes the model.
+// A picture of the model, as a body at ease where it has one. Changes the model.
 Expected<void> write_thumbnail(const AvatarShowArguments& arguments, render::Model model) {
     if (model.meshes.empty()) {
         return fail(fmt::format("{}: there is nothing in it to draw", printable(arguments.model)));
     }
-    engine::AvatarModel figure{std::move(model), {}};
-    if (render::missing_bones(figure.model.character.humanoid).empty()) {
-        figure.options = engine::stand_model(figure.model, arguments.options.height);
+    engine::AvatarModel shown{std::move(model), {}};
+    if (render::missing_bones(shown.model.character.humanoid).empty()) {
+        shown.options = engine::stand_model(shown.model, arguments.options.height);
     } else {
-        figure.options = engine::stand_thing(figure.model);
+        shown.options = engine::stand_thing(shown.model);
     }
-    const auto loaded = engine::make_avatar(figure, arguments.model);
+    const auto loaded = engine::make_avatar(shown, arguments.model);
     const render::Avatar& avatar = *loaded.avatar;
     render::RigState state(*avatar.rig);
     const motion::Pose pose = pose_at_ease(avatar);
@@ -85,7 +85,7 @@ Expected<void> write_thumbnail(const AvatarShowArguments& arguments, render::Mod
         avatar,
         pose,
         state,
-        {.width = kSide, .height = kSide, .camera = portrait_camera(figure, avatar)});
+        {.width = kSide, .height = kSide, .camera = portrait_camera(shown, avatar)});
 }
 
 Json json_of(const std::vector<MorphWeight>& weights) {
@@ -140,7 +140,7 @@ ExitCode avatar_show(const AvatarShowArguments& arguments) {
         return fail(file.error());
     }
     if (file->empty()) {
-        return fail("the mannequin is no file: it is made by Raks itself");
+        return fail("the mannequin has no file, as Raks makes it itself: name the file of a model");
     }
     if (auto possible = check_thumbnail(arguments.thumbnail, *file); !possible) {
         return fail(possible.error());

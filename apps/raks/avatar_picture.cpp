@@ -65,38 +65,38 @@ motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose) 
     return pose;
 }
 
-render::Camera whole_camera(const engine::AvatarModel& figure,
+render::Camera whole_camera(const engine::AvatarModel& shown,
                             const render::Avatar& avatar,
                             const motion::Pose& pose) {
     constexpr float kAspect = 0.75F;
     render::Camera camera = front_camera();
-    const auto box = render::rest_box(figure.model);
+    const auto box = render::rest_box(shown.model);
     if (!box) {
         return camera;
     }
     // Hands over the head stay in it, and arms spread as they are in the T-pose.
-    const float top = box->high.y * figure.options.scale - avatar.soles;
-    const float half_width = figure.options.scale * std::max(box->high.x, -box->low.x);
+    const float top = box->high.y * shown.options.scale - avatar.soles;
+    const float half_width = shown.options.scale * std::max(box->high.x, -box->low.x);
     camera.target.y = 0.54F * top;
     camera.distance = distance_for(camera, std::max(0.6F * top, half_width / kAspect));
     camera.pan_to(pose.hips_position);
     return camera;
 }
 
-render::Camera portrait_camera(const engine::AvatarModel& figure, const render::Avatar& avatar) {
+render::Camera portrait_camera(const engine::AvatarModel& shown, const render::Avatar& avatar) {
     render::Camera camera = front_camera();
-    const auto box = render::rest_box(figure.model);
+    const auto box = render::rest_box(shown.model);
     if (!box) {
         return camera;
     }
-    const float scale = figure.options.scale;
+    const float scale = shown.options.scale;
     float low = box->low.y * scale - avatar.soles;
     float high = box->high.y * scale - avatar.soles;
     float half_width = 0.0F;
     float half_depth = 0.0F;  // what is deep must not come too near
-    if (figure.model.character.humanoid.nodes[motion::index_of(Bone::head)] >= 0) {
+    if (shown.model.character.humanoid.nodes[motion::index_of(Bone::head)] >= 0) {
         const motion::WorldPose world = motion::world_pose(avatar.skeleton, pose_at_ease(avatar));
-        // As much below the head's joint as a chest is long. Of some figures that joint is at the
+        // As much below the head's joint as a chest is long. Of some bodies that joint is at the
         // top of a large head, so at least down to the armpits.
         const float size = render::size_of(avatar);
         low = std::min(world.position(Bone::head).y - 0.27F * size,

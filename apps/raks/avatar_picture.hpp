@@ -16,13 +16,14 @@ namespace raks::apps {
 /// The pose lifted or lowered until its lower foot stands on the floor.
 [[nodiscard]] motion::Pose standing_on_floor(const render::Avatar& avatar, motion::Pose pose);
 
-/// A camera before the whole of `figure`, for a picture of 3:4.
-[[nodiscard]] render::Camera whole_camera(const engine::AvatarModel& figure,
+/// A camera before the whole of `shown`, for a picture of 3:4.
+[[nodiscard]] render::Camera whole_camera(const engine::AvatarModel& shown,
                                           const render::Avatar& avatar,
                                           const motion::Pose& pose);
 
-/// A camera before head and shoulders of `figure`; before all of a model that is no figure.
-[[nodiscard]] render::Camera portrait_camera(const engine::AvatarModel& figure,
+/// A camera before head and shoulders of `shown`; where it has no bones of a body, before all of
+/// it.
+[[nodiscard]] render::Camera portrait_camera(const engine::AvatarModel& shown,
                                              const render::Avatar& avatar);
 
 /// A picture of an avatar to write.

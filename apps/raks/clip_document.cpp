@@ -46,14 +46,14 @@ Json rest_of(const motion::RestPose& rest) {
 
 std::string clip_document(const std::string& file,
                           const motion::MotionClip& clip,
-                          const render::ClipFigures& figures) {
+                          const render::ClipBodies& recorded) {
     Json document = {{"format", "raks-clip"},
                      {"version", 1},
                      {"file", printable(file)},
                      {"frames", clip.frame_count},
                      {"frames_per_second", clip.frames_per_second},
-                     {"metres_per_unit", figures.metres_per_unit()}};
-    if (const auto& body = figures.body()) {
+                     {"metres_per_unit", recorded.metres_per_unit()}};
+    if (const auto& body = recorded.body()) {
         document["joints"] = joints_of(clip, body->joints);
         document["up"] = {{"axis", motion::axis_name(body->up.axis)},
                           {"reason", body->up.reason},
@@ -68,7 +68,7 @@ std::string clip_document(const std::string& file,
         document["facing"] = {{"degrees", rounded(body->stance.facing)},
                               {"confidence", rounded(body->stance.facing_confidence)}};
     }
-    document["notes"] = figures.notes();
+    document["notes"] = recorded.notes();
     return document.text(2);
 }
 

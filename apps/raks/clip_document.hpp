@@ -4,7 +4,7 @@
 #include <string>
 
 #include "motion/skeleton/motion_clip.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 namespace raks::apps {
 
@@ -13,6 +13,6 @@ namespace raks::apps {
 /// JSON text without a line's end.
 [[nodiscard]] std::string clip_document(const std::string& file,
                                         const motion::MotionClip& clip,
-                                        const render::ClipFigures& figures);
+                                        const render::ClipBodies& recorded);
 
 }  // namespace raks::apps

@@ -38,9 +38,9 @@ Writer writer_of(const Path& output) {
                                : nullptr;
 }
 
-bool is_with_figure(const Path& output) { return output.extension() == ".glb"; }
+bool is_with_avatar(const Path& output) { return output.extension() == ".glb"; }
 
-// Of the avatars. Empty: the mannequin's.
+// The files of the avatars that were asked for; an empty path stands for the mannequin.
 Expected<std::vector<Path>> avatar_files(const DanceArguments& arguments) {
     std::vector<Path> files;
     for (const std::string& name : arguments.settings.avatars) {
@@ -53,35 +53,35 @@ Expected<std::vector<Path>> avatar_files(const DanceArguments& arguments) {
     return files;
 }
 
-// Who dances, in turn; said is what their files lack.
-Expected<std::vector<render::Model>> figures_of(const std::vector<Path>& files,
-                                                const engine::AvatarOptions& options) {
-    std::vector<render::Model> figures;
+// The models that dance, in turn. Says what is wrong with their files.
+Expected<std::vector<render::Model>> models_of(const std::vector<Path>& files,
+                                               const engine::AvatarOptions& options) {
+    std::vector<render::Model> models;
     for (const Path& file : files) {
         if (file.empty()) {
-            figures.push_back(engine::mannequin_to_give_away());
+            models.push_back(engine::mannequin_to_give_away());
             continue;
         }
-        auto figure = engine::load_to_give_away(file, options);
-        if (!figure) {
-            return fail(std::move(figure.error()));
+        auto model = engine::load_to_give_away(file, options);
+        if (!model) {
+            return fail(std::move(model.error()));
         }
-        if (auto checked = engine::check_has_surface(*figure, file); !checked) {
+        if (auto checked = engine::check_has_surface(*model, file); !checked) {
             return fail(std::move(checked.error()));
         }
-        for (const std::string& warning : figure->warnings) {
+        for (const std::string& warning : model->warnings) {
             say_detail(warning);
         }
-        figures.push_back(std::move(*figure));
+        models.push_back(std::move(*model));
     }
-    return figures;
+    return models;
 }
 
-// The bodies of figures; without figures the mannequin's.
-std::vector<motion::Skeleton> bodies_of(const std::vector<render::Model>& figures) {
+// The bodies of the models; without models the mannequin's.
+std::vector<motion::Skeleton> bodies_of(const std::vector<render::Model>& models) {
     std::vector<motion::Skeleton> bodies;
-    for (const render::Model& figure : figures) {
-        bodies.push_back(engine::dance_body_of(figure));
+    for (const render::Model& model : models) {
+        bodies.push_back(engine::dance_body_of(model));
     }
     if (bodies.empty()) {
         bodies.push_back(motion::mannequin_skeleton());
@@ -100,21 +100,21 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
     return path;
 }
 
-// One dancer as a figure that dances.
-Expected<void> write_figure(const Path& path,
-                            render::Model figure,
-                            std::span<const motion::Pose> poses,
-                            const DanceArguments& arguments) {
+// Writes one dancer's model with its dance as an animation.
+Expected<void> write_model(const Path& path,
+                           render::Model model,
+                           std::span<const motion::Pose> poses,
+                           const DanceArguments& arguments) {
     if (poses.empty()) {
         return fail(path.string() + ": there is nothing to dance to");
     }
     engine::put_dance(
-        figure, poses, arguments.fps, path.stem().string(), arguments.input.filename().string());
-    const auto bytes = render::glb_bytes(figure);
+        model, poses, arguments.fps, path.stem().string(), arguments.input.filename().string());
+    const auto bytes = render::glb_bytes(model);
     return bytes ? write_file(path, *bytes) : fail(bytes.error());
 }
 
-// Lays a copy of the music beside the figures, which name it. A file of that name stays as it is.
+// Puts a copy of the music beside the models, whose files name it. A file of that name is kept.
 Expected<void> lay_music_beside(const Path& output, const Path& music) {
     Path beside = output;
     beside.replace_filename(music.filename());
@@ -149,7 +149,7 @@ ExitCode dance(const DanceArguments& given) {
     DanceArguments arguments = given;
     // Checked before the music is read, as everything that can fail at once.
     const Writer write = writer_of(arguments.output);
-    if (write == nullptr && !is_with_figure(arguments.output)) {
+    if (write == nullptr && !is_with_avatar(arguments.output)) {
         return fail(arguments.output.string() +
                     ": cannot write this kind of motion; known: .bvh, .vrma, .glb");
     }
@@ -169,17 +169,17 @@ ExitCode dance(const DanceArguments& given) {
     if (write != nullptr) {
         std::erase(*avatars, Path());
     }
-    auto figures = figures_of(*avatars, avatar_options(arguments.settings));
-    if (!figures) {
-        return fail(figures.error());
+    auto models = models_of(*avatars, avatar_options(arguments.settings));
+    if (!models) {
+        return fail(models.error());
     }
-    // Avatars are loaded all the same: what cannot be worn is said.
-    if (write != nullptr && !figures->empty()) {
+    // Avatars are loaded even so: one that cannot dance is an error here, too.
+    if (write != nullptr && !models->empty()) {
         say(arguments.output.string() +
-            ": is to hold motion on the mannequin's body; only X.glb has the avatar");
-        figures->clear();
+            ": holds the motion of the mannequin's body; write X.glb to have it on the avatar");
+        models->clear();
     }
-    const auto setup = open_dancers(arguments.settings, bodies_of(*figures));
+    const auto setup = open_dancers(arguments.settings, bodies_of(*models));
     if (!setup) {
         return fail(setup.error());
     }
@@ -203,7 +203,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!source->warning().empty()) {
         say(source->warning());
     }
-    // What a signal stopped replaces no whole dance.
+    // A dance that a signal cut short must not replace the file of a whole one.
     const bool is_stopped = stop_signal().has_value();
     // No hop was danced.
     if (collect.dancers.empty()) {
@@ -218,8 +218,7 @@ ExitCode dance(const DanceArguments& given) {
         const auto written =
             write != nullptr
                 ? write(path, setup->skeleton, collect.dancers[i], arguments.fps)
-                : write_figure(
-                      path, (*figures)[i % figures->size()], collect.dancers[i], arguments);
+                : write_model(path, (*models)[i % models->size()], collect.dancers[i], arguments);
         if (!written) {
             return fail(written.error());
         }

@@ -116,7 +116,7 @@ render::PoseSheetConfig SheetStudio::framed(render::PoseSheetConfig config) cons
     return config;
 }
 
-// Poses and clip figures alike: the sheet is a template over what is drawn.
+// Poses and clip bodies alike: the sheet is a template over what is drawn.
 template <typename Body>
 Expected<void> SheetStudio::write(const Path& output,
                                   std::span<const Body> bodies,
@@ -142,10 +142,10 @@ Expected<void> SheetStudio::write_sheet(const Path& output,
 }
 
 Expected<void> SheetStudio::write_sheet(const Path& output,
-                                        std::span<const render::ClipFigure> figures,
+                                        std::span<const render::ClipBody> bodies,
                                         const render::PoseSheetConfig& config,
                                         const SheetLabels& labels) {
-    return write(output, figures, config, labels);
+    return write(output, bodies, config, labels);
 }
 
 Expected<void> SheetStudio::write_film(const Path& output,

@@ -59,7 +59,7 @@ class SheetStudio {
                                              const SheetLabels& labels);
     /// The same for frames of a recorded clip, as stick figures.
     [[nodiscard]] Expected<void> write_sheet(const Path& output,
-                                             std::span<const render::ClipFigure> figures,
+                                             std::span<const render::ClipBody> bodies,
                                              const render::PoseSheetConfig& config,
                                              const SheetLabels& labels);
     /// Films poses, one a picture: from the front and, beside it, from the side; no sound.

@@ -13,7 +13,7 @@
 #include "apps/terminal/say.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/text_lines.hpp"
-#include "render/scene/point_figure.hpp"
+#include "render/scene/point_body.hpp"
 
 #include <fmt/format.h>
 
@@ -34,17 +34,17 @@ Expected<motion::MotionFile> read_file_of(const StickArguments& arguments, const
 
 // What was taken in doubt, and the unit where nobody gave it.
 void say_what_was_found(const motion::MotionClip& clip,
-                        const render::ClipFigures& figures,
+                        const render::ClipBodies& recorded,
                         const StickArguments& arguments) {
     const std::string name = arguments.input.string();
-    for (const std::string& note : figures.notes()) {
+    for (const std::string& note : recorded.notes()) {
         say(name + ": " + note);
     }
     if (!arguments.body.has_unit() && !clip.metres_per_unit) {
-        const auto& body = figures.body();
+        const auto& body = recorded.body();
         say(fmt::format("{}: one unit is taken for {}: {} (--unit, --height or --scale sets it)",
                         name,
-                        motion::unit_name(figures.metres_per_unit()),
+                        motion::unit_name(recorded.metres_per_unit()),
                         body ? body->size.reason : "by its height at rest"));
     }
 }
@@ -78,16 +78,16 @@ ExitCode show_recording(const StickArguments& arguments, motion::MotionClip& cli
     if (!arguments.joints_output.empty()) {
         return exit_code_of(write_joints(arguments, clip));
     }
-    const auto figures = render::ClipFigures::create(clip, arguments.body.options());
-    if (!figures) {
-        return fail(arguments.input.string() + ": " + figures.error().message);
+    const auto recorded = render::ClipBodies::create(clip, arguments.body.options());
+    if (!recorded) {
+        return fail(arguments.input.string() + ": " + recorded.error().message);
     }
-    say_what_was_found(clip, *figures, arguments);
+    say_what_was_found(clip, *recorded, arguments);
     if (arguments.as_json) {
-        print_text(clip_document(arguments.input.string(), clip, *figures) + "\n");
+        print_text(clip_document(arguments.input.string(), clip, *recorded) + "\n");
         return kExitDone;
     }
-    return exit_code_of(show_figures(arguments, shown_clip(arguments, clip), *figures));
+    return exit_code_of(show_recorded(arguments, shown_clip(arguments, clip), *recorded));
 }
 
 // Points as they are, or joined.
@@ -110,11 +110,11 @@ ExitCode show_recording(const StickArguments& arguments, motion::PointClip& clip
     const ShownClip shown = shown_clip(arguments, joined->points.clip);
     std::vector<motion::WorldPoints> motions;
     motions.push_back(std::move(joined->points));
-    const auto figures = render::PointFigures::create(std::move(motions));
-    if (!figures) {
-        return fail(name + ": " + figures.error().message);
+    const auto recorded = render::PointBodies::create(std::move(motions));
+    if (!recorded) {
+        return fail(name + ": " + recorded.error().message);
     }
-    if (auto finished = show_figures(arguments, shown, *figures); !finished) {
+    if (auto finished = show_recorded(arguments, shown, *recorded); !finished) {
         return fail(std::move(finished.error()));
     }
     return done;

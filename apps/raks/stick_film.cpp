@@ -54,20 +54,20 @@ render::PoseSheetConfig sheet_layout(bool is_alone) {
 Expected<void> write_frames(const Path& output,
                             const engine::Look& look,
                             const ShownClip& shown,
-                            const render::RecordedFigures& figures,
+                            const render::RecordedBodies& recorded,
                             const std::vector<std::size_t>& frames) {
     const bool is_alone = frames.size() == 1;
     render::PoseSheetConfig config = sheet_layout(is_alone);
-    std::vector<render::ClipFigure> bodies;
+    std::vector<render::ClipBody> bodies;
     bodies.reserve(frames.size());
     for (const std::size_t frame : frames) {
-        bodies.push_back(figures.at(frame));
+        bodies.push_back(recorded.at(frame));
     }
     const float aspect =
         static_cast<float>(config.tile_width) / static_cast<float>(config.tile_height);
     for (render::Camera& camera : config.cameras) {
-        camera = engine::framed_for(camera, figures);
-        for (const render::ClipFigure& body : bodies) {
+        camera = engine::framed_for(camera, recorded);
+        for (const render::ClipBody& body : bodies) {
             camera = render::enclosing(camera, aspect, body);
         }
     }
@@ -104,7 +104,7 @@ engine::ClipFilmPlan film_plan(const StickArguments& arguments,
 
 engine::ClipContent content_of(const StickArguments& arguments,
                                const ShownClip& shown,
-                               const render::RecordedFigures& figures,
+                               const render::RecordedBodies& recorded,
                                bool has_bar) {
     // Paused at the frame asked for, or playing.
     engine::ClipTransport transport =
@@ -112,7 +112,7 @@ engine::ClipContent content_of(const StickArguments& arguments,
             ? engine::ClipTransport(shown.frame_count, shown.frames_per_second, *arguments.frame)
             : engine::ClipTransport(shown.frame_count, shown.frames_per_second);
     transport.set_rate(arguments.rate);
-    return {figures,
+    return {recorded,
             std::move(transport),
             {.marks = {arguments.has_names, arguments.has_trails, shown.keys},
              .highlight = shown.highlight,
@@ -125,7 +125,7 @@ engine::ClipContent content_of(const StickArguments& arguments,
 Expected<void> film(const StickArguments& arguments,
                     const engine::Look& look,
                     const ShownClip& shown,
-                    const render::RecordedFigures& figures) {
+                    const render::RecordedBodies& recorded) {
     auto context = render::OffscreenContext::create();
     if (!context) {
         return fail(context.error());
@@ -139,7 +139,7 @@ Expected<void> film(const StickArguments& arguments,
     if (!overlay) {
         return fail(overlay.error());
     }
-    engine::ClipContent content = content_of(arguments, shown, figures, false);
+    engine::ClipContent content = content_of(arguments, shown, recorded, false);
     render::Scene scene = look.scene;
     scene.camera = content.framed(scene.camera);
     engine::ClipFilmPlan plan = film_plan(arguments, look.size, best_quality(look));
@@ -192,22 +192,22 @@ Expected<void> check_output(const StickArguments& arguments) {
     return engine::check_clip_film(film_plan(arguments, *size, render::Quality::high));
 }
 
-Expected<void> show_figures(const StickArguments& arguments,
-                            const ShownClip& shown,
-                            const render::RecordedFigures& figures) {
+Expected<void> show_recorded(const StickArguments& arguments,
+                             const ShownClip& shown,
+                             const render::RecordedBodies& recorded) {
     auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }
     Path output = arguments.output;
     if (!output.empty() && !is_sheet(output)) {
-        return film(arguments, *look, shown, figures);
+        return film(arguments, *look, shown, recorded);
     }
     // Without a display the sheet takes the window's place.
     if (output.empty()) {
         auto window = open_stick_window(shown.name, *look, arguments.settings);
         if (window) {
-            engine::ClipContent content = content_of(arguments, shown, figures, true);
+            engine::ClipContent content = content_of(arguments, shown, recorded, true);
             look->scene.camera = content.framed(look->scene.camera);
             return show_in_window(std::move(*window), *look, content);
         }
@@ -216,7 +216,7 @@ Expected<void> show_figures(const StickArguments& arguments,
         say("no window (" + window.error().message + "): drawing a sheet");
     }
     return write_frames(
-        output, *look, shown, figures, frames_to_draw(shown.frame_count, arguments.frame));
+        output, *look, shown, recorded, frames_to_draw(shown.frame_count, arguments.frame));
 }
 
 }  // namespace raks::apps

@@ -1,4 +1,4 @@
-// `raks stick`: what a recording's figures are shown on - a window, a sheet, a film.
+// `raks stick`: what a recording's bodies are shown on - a window, a sheet, a film.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include "apps/raks/commands.hpp"
 #include "base/expected.hpp"
 #include "engine/show/clip_content.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 namespace raks::apps {
 
@@ -26,10 +26,10 @@ struct ShownClip {
 /// unknown ending; of a film those of VideoWriter.
 [[nodiscard]] Expected<void> check_output(const StickArguments& arguments);
 
-/// Plays the figures in a window; with `arguments.output`, or where there is no display, draws them
+/// Plays the bodies in a window; with `arguments.output`, or where there is no display, draws them
 /// on a sheet or films them. Errors: those of all of these.
-[[nodiscard]] Expected<void> show_figures(const StickArguments& arguments,
-                                          const ShownClip& shown,
-                                          const render::RecordedFigures& figures);
+[[nodiscard]] Expected<void> show_recorded(const StickArguments& arguments,
+                                           const ShownClip& shown,
+                                           const render::RecordedBodies& recorded);
 
 }  // namespace raks::apps

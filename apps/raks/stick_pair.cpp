@@ -15,7 +15,7 @@
 #include "base/printable.hpp"
 #include "motion/evaluate/point_alignment.hpp"
 #include "motion/evaluate/point_comparison.hpp"
-#include "render/scene/point_figure.hpp"
+#include "render/scene/point_body.hpp"
 
 #include <fmt/format.h>
 
@@ -158,14 +158,14 @@ Expected<void> show_pair(const StickArguments& arguments,
     std::vector<motion::WorldPoints> motions;
     motions.push_back(std::move(one));
     motions.push_back(std::move(other));
-    const auto figures =
-        render::PointFigures::create(std::move(motions),
-                                     arguments.is_side_by_side ? render::Arrangement::side_by_side
-                                                               : render::Arrangement::overlaid);
-    if (!figures) {
-        return fail(shown.name + ": " + figures.error().message);
+    const auto recorded =
+        render::PointBodies::create(std::move(motions),
+                                    arguments.is_side_by_side ? render::Arrangement::side_by_side
+                                                              : render::Arrangement::overlaid);
+    if (!recorded) {
+        return fail(shown.name + ": " + recorded.error().message);
     }
-    return show_figures(arguments, shown, *figures);
+    return show_recorded(arguments, shown, *recorded);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "base/suggest.hpp"
 #include "motion/skeleton/points/guessed_edges.hpp"
 #include "motion/skeleton/points/point_edges.hpp"
-#include "render/scene/point_figure.hpp"
+#include "render/scene/point_body.hpp"
 
 #include <fmt/format.h>
 

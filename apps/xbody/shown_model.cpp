@@ -91,7 +91,7 @@ Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
     return {};
 }
 
-// Turns what is no figure into something that can be looked at, and a figure into what dances.
+// Makes a model without a body ready to be looked at, and one with a body ready to dance.
 void stand(ShownModel& shown) {
     render::Model& model = shown.figure.model;
     model = shown.as_read;

@@ -48,8 +48,8 @@ struct ShownModel {
     [[nodiscard]] double rate() const;
 };
 
-/// Reads model, labels and motion. A model without a figure is shown, too; labels that make no
-/// figure are said in a note. Errors: those of the files; a motion where there is no figure.
+/// Reads model, labels and motion. A model without a body is shown, too; labels that give no
+/// body are said in a note. Errors: those of the files; a motion where the model has no body.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<ShownModel> load_shown_model(const ShownModelPlan& plan);
 

@@ -22,7 +22,7 @@
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 
 #include <fmt/format.h>
 
@@ -31,10 +31,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The T-pose of a figure that stands.
-render::BoneRest rest_of(const render::Model& model, const render::StandingFigure& figure) {
+/// The T-pose of a body that stands.
+render::BoneRest rest_of(const render::Model& model, const render::StandingBody& standing) {
     render::BoneRest rest;
-    rest.turn = figure.turn;
+    rest.turn = standing.turn;
     for (std::size_t bone = 0; bone < rest.world.size(); ++bone) {
         const int node = model.character.humanoid.nodes[bone];
         rest.world[bone] = motion::kNoRotation;
@@ -42,14 +42,14 @@ render::BoneRest rest_of(const render::Model& model, const render::StandingFigur
         if (node < 0) {
             continue;
         }
-        rest.world[bone] = figure.straighten[bone] *
-                           render::rotation_of(figure.world[static_cast<std::size_t>(node)]);
+        rest.world[bone] = standing.straighten[bone] *
+                           render::rotation_of(standing.world[static_cast<std::size_t>(node)]);
         const int above = model.nodes[static_cast<std::size_t>(node)].parent;
         const int upper = render::mapped_parent(model.character.humanoid, static_cast<int>(bone));
         if (above >= 0 && upper >= 0) {
             // What hangs between two bones stands with the upper one.
-            rest.above[bone] = figure.straighten[static_cast<std::size_t>(upper)] *
-                               render::rotation_of(figure.world[static_cast<std::size_t>(above)]);
+            rest.above[bone] = standing.straighten[static_cast<std::size_t>(upper)] *
+                               render::rotation_of(standing.world[static_cast<std::size_t>(above)]);
         }
     }
     return rest;
@@ -178,13 +178,13 @@ class AvatarClipReader {
     }
 
     AvatarClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
-        const render::StandingFigure figure = render::stand_up(*model);
+        const render::StandingBody standing = render::stand_up(*model);
         const auto sampler =
-            std::make_shared<render::NodeClip>(*model, index, rest_of(*model, figure), others_);
+            std::make_shared<render::NodeClip>(*model, index, rest_of(*model, standing), others_);
         const auto hips_node = static_cast<std::size_t>(model->character.humanoid.nodes[0]);
         // Over the floor that it stands on, wherever the file has that.
-        const float floor = render::mesh_box(*model, figure.world).lowest.y;
-        const float height = figure.world[hips_node][3].y - floor;
+        const float floor = render::mesh_box(*model, standing.world).lowest.y;
+        const float height = standing.world[hips_node][3].y - floor;
         const float scale = height > 0.0F ? hips_.y / height : 1.0F;
         AvatarClip clip;
         clip.duration_ = static_cast<double>(sampler->duration());

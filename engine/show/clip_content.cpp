@@ -8,12 +8,12 @@ namespace raks::engine {
 
 // Distance and height are the mannequin's, scaled by the body's size and kept in the camera's
 // range.
-render::Camera framed_for(render::Camera camera, const render::RecordedFigures& figures) {
+render::Camera framed_for(render::Camera camera, const render::RecordedBodies& recorded) {
     constexpr float kDistance = 4.8F;  // for the mannequin's size; metres
     constexpr float kMiddle = 1.0F;
     camera.distance = std::clamp(
-        kDistance * figures.size(), render::Camera::kMinDistance, render::Camera::kMaxDistance);
-    camera.target.y = std::min(kMiddle * figures.size(), render::Camera::kMaxTargetHeight);
+        kDistance * recorded.size(), render::Camera::kMinDistance, render::Camera::kMaxDistance);
+    camera.target.y = std::min(kMiddle * recorded.size(), render::Camera::kMaxTargetHeight);
     return camera;
 }
 
@@ -31,7 +31,7 @@ bool ClipContent::handle(const KeyEvent& key) {
     for (const auto& [letter, is_shown] : {std::pair{U'n', &options_.marks.has_names},
                                            std::pair{U't', &options_.marks.has_trails}}) {
         if (key.key == key_of(letter)) {
-            // A held key must not flicker.
+            // A key that is held repeats; only its first press counts.
             *is_shown = *is_shown != !key.is_repeat;
             return true;
         }
@@ -53,7 +53,7 @@ void ClipContent::use(render::OverlayControl control, double share) {
             }
             return;
         case render::OverlayControl::help:
-            return;  // the loop's
+            return;  // the loop of the window shows the help
     }
 }
 
@@ -69,13 +69,13 @@ std::vector<render::HelpRow> ClipContent::own_keys() const {
 
 // The camera pans with the hips, so that a body that walks stays in the middle; what a person pans
 // from there is kept until the camera is let go of.
-void ClipContent::follow(const render::ClipFigure& figure, render::Camera& camera) {
+void ClipContent::follow(const render::ClipBody& body, render::Camera& camera) {
     if (!is_held_) {
         beside_ = {};
     } else if (followed_) {
         beside_ += camera.target - *followed_;
     }
-    const glm::vec3 hips = figure.landmarks.position(motion::Bone::hips);
+    const glm::vec3 hips = body.landmarks.position(motion::Bone::hips);
     camera.pan_to(hips + beside_);
     followed_ = camera.target;
 }
@@ -85,10 +85,11 @@ void ClipContent::draw_frame(std::size_t frame,
                              render::Scene& scene,
                              const render::FrameTarget& target,
                              render::OverlayState& overlay) {
-    const render::ClipFigure figure = figures_.at(frame);
-    follow(figure, scene.camera);
-    renderer.draw(scene, figure, target);
-    marks_.place(figures_, frame, options_.frames_per_second, options_.marks, scene.camera, target);
+    const render::ClipBody body = recorded_.at(frame);
+    follow(body, scene.camera);
+    renderer.draw(scene, body, target);
+    marks_.place(
+        recorded_, frame, options_.frames_per_second, options_.marks, scene.camera, target);
     overlay.lines = marks_.lines();
     overlay.labels = marks_.labels();
 }
@@ -107,9 +108,9 @@ void ClipContent::draw(const WindowPicture& picture, render::OverlayState& overl
 
 render::Camera ClipContent::framed(render::Camera preset) const {
     constexpr float kAspect = 4.0F / 3.0F;  // of a narrow window
-    render::Camera camera = framed_for(preset, figures_);
+    render::Camera camera = framed_for(preset, recorded_);
     for (const std::size_t frame : options_.framed_frames) {
-        camera = render::enclosing(camera, kAspect, figures_.at(frame));
+        camera = render::enclosing(camera, kAspect, recorded_.at(frame));
     }
     if (options_.has_bar) {
         // Smaller by the bar's share of the picture, and higher by half of it.

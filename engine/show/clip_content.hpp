@@ -9,7 +9,7 @@
 #include "engine/show/clip_marks.hpp"
 #include "engine/show/clip_transport.hpp"
 #include "engine/show/window_loop.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 namespace raks::engine {
 
@@ -34,9 +34,9 @@ class ClipContent final : public WindowContent {
         bool has_bar = true;  ///< whether the picture has room for the transport's bar
     };
 
-    /// `figures` must outlive this.
-    ClipContent(const render::RecordedFigures& figures, ClipTransport transport, Options options)
-        : figures_(figures), transport_(std::move(transport)), options_(std::move(options)) {}
+    /// `recorded` must outlive this.
+    ClipContent(const render::RecordedBodies& recorded, ClipTransport transport, Options options)
+        : recorded_(recorded), transport_(std::move(transport)), options_(std::move(options)) {}
 
     /// The transport's keys, and those above.
     bool handle(const KeyEvent& key) override;
@@ -47,7 +47,7 @@ class ClipContent final : public WindowContent {
     /// The frame's stick figure, its marks and the transport.
     void draw(const WindowPicture& picture, render::OverlayState& overlay) override;
     [[nodiscard]] bool is_finished() const override { return false; }  ///< a clip plays in a loop
-    /// A recorded body is a figure of its own.
+    /// A recorded body is drawn as its own.
     [[nodiscard]] bool has_avatar() const override { return false; }
     /// By the size of the body and the room that its frames take.
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
@@ -60,9 +60,9 @@ class ClipContent final : public WindowContent {
                     render::OverlayState& overlay);
 
  private:
-    void follow(const render::ClipFigure& figure, render::Camera& camera);
+    void follow(const render::ClipBody& body, render::Camera& camera);
 
-    const render::RecordedFigures& figures_;
+    const render::RecordedBodies& recorded_;
     ClipTransport transport_;
     Options options_;
     ClipMarks marks_;
@@ -74,6 +74,6 @@ class ClipContent final : public WindowContent {
 /// The camera at such a distance and height that a standing body with its hands up, of any size,
 /// fills a tile or a window.
 [[nodiscard]] render::Camera framed_for(render::Camera camera,
-                                        const render::RecordedFigures& figures);
+                                        const render::RecordedBodies& recorded);
 
 }  // namespace raks::engine

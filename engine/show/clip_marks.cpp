@@ -48,7 +48,7 @@ void ClipMarks::place_keys(const std::vector<MarkKey>& keys, const render::Frame
     }
 }
 
-void ClipMarks::place(const render::RecordedFigures& figures,
+void ClipMarks::place(const render::RecordedBodies& recorded,
                       std::size_t frame,
                       double frames_per_second,
                       const ShownMarks& shown,
@@ -59,9 +59,9 @@ void ClipMarks::place(const render::RecordedFigures& figures,
     place_keys(shown.keys, target);
     const glm::mat4 clip_from_world = camera.clip_from_world(
         static_cast<float>(target.width) / static_cast<float>(std::max(target.height, 1)));
-    std::vector<render::FigurePoint> now = figures.points(frame);
+    std::vector<render::BodyPoint> now = recorded.points(frame);
     if (shown.has_names) {
-        for (const render::FigurePoint& point : now) {
+        for (const render::BodyPoint& point : now) {
             if (const auto at = pixel_of(point.place, clip_from_world, target)) {
                 labels_.push_back({at->x, at->y, point.name});
             }
@@ -76,7 +76,7 @@ void ClipMarks::place(const render::RecordedFigures& figures,
     const std::size_t most = std::clamp<std::size_t>(kMostSegments / now.size(), 1, kMostSteps);
     const std::size_t step = std::max<std::size_t>(1, (length + most - 1) / most);
     for (std::size_t back = step; back <= length; back += step) {
-        const std::vector<render::FigurePoint> before = figures.points(frame - back);
+        const std::vector<render::BodyPoint> before = recorded.points(frame - back);
         const float age = static_cast<float>(back) / static_cast<float>(length + 1);
         for (std::size_t i = 0; i < now.size(); ++i) {
             const auto from = pixel_of(before[i].place, clip_from_world, target);

@@ -9,11 +9,11 @@
 #include "render/gl/frame_target.hpp"
 #include "render/overlay/overlay.hpp"
 #include "render/scene/camera.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 namespace raks::engine {
 
-/// What the colour of a part of the figures means.
+/// What the colour of a part of the bodies means.
 struct MarkKey {
     std::string name;  ///< "captured.bvh"
     render::StickPart part = render::StickPart::middle;
@@ -32,14 +32,14 @@ class ClipMarks {
     /// The marks of a frame. `frames_per_second`: of the recording, which gives the trails their
     /// length; `camera`: the picture's. What lies behind the camera is left out, and of very many
     /// points the trails have fewer places.
-    void place(const render::RecordedFigures& figures,
+    void place(const render::RecordedBodies& recorded,
                std::size_t frame,
                double frames_per_second,
                const ShownMarks& shown,
                const render::Camera& camera,
                const render::FrameTarget& target);
 
-    /// Those of the last frame placed; they live until the next, names as long as figures and keys.
+    /// Those of the last frame placed; they live until the next, names as long as bodies and keys.
     [[nodiscard]] std::span<const render::OverlayLine> lines() const noexcept { return lines_; }
     [[nodiscard]] std::span<const render::OverlayLabel> labels() const noexcept {  ///< likewise
         return labels_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/avatar/joint_tree.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 #include "render/model/model_survey.hpp"
 
 #include <glm/geometric.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using render::Model;
 using render::ModelNode;
-using render::StandingFigure;
+using render::StandingBody;
 
 /// Nodes with parents before their children.
 std::vector<std::size_t> in_order(const std::vector<int>& parents) {
@@ -68,15 +68,15 @@ void set_parents(Model& model, const std::vector<int>& parents) {
 
 /// Local rotations of the T-pose: bones as straightened in the world, all else as it hangs.
 std::vector<glm::quat> t_pose_of(const Model& model,
-                                 const StandingFigure& figure,
+                                 const StandingBody& body,
                                  const std::vector<std::size_t>& order) {
     std::vector<glm::quat> world(model.nodes.size());
     std::vector<glm::quat> local(model.nodes.size());
     std::vector<const glm::quat*> straightened(model.nodes.size(), nullptr);
-    for (std::size_t bone = 0; bone < figure.straighten.size(); ++bone) {
+    for (std::size_t bone = 0; bone < body.straighten.size(); ++bone) {
         const int node = model.character.humanoid.nodes[bone];
         if (node >= 0) {
-            straightened[static_cast<std::size_t>(node)] = &figure.straighten[bone];
+            straightened[static_cast<std::size_t>(node)] = &body.straighten[bone];
         }
     }
     for (const std::size_t node : order) {
@@ -84,7 +84,7 @@ std::vector<glm::quat> t_pose_of(const Model& model,
         const glm::quat above = parent < 0 ? glm::quat(1.0F, 0.0F, 0.0F, 0.0F)
                                            : world[static_cast<std::size_t>(parent)];
         world[node] = straightened[node] != nullptr
-                          ? *straightened[node] * render::rotation_of(figure.world[node])
+                          ? *straightened[node] * render::rotation_of(body.world[node])
                           : above * model.nodes[node].rotation;
         local[node] = glm::normalize(glm::inverse(above) * world[node]);
     }
@@ -94,22 +94,22 @@ std::vector<glm::quat> t_pose_of(const Model& model,
 }  // namespace
 
 render::RigOptions stand_model(Model& model, std::optional<float> height) {
-    const StandingFigure figure = render::stand_up(model, height);
-    render::RigOptions options{.scale = figure.scale, .t_pose = {}};
+    const StandingBody body = render::stand_up(model, height);
+    render::RigOptions options{.scale = body.scale, .t_pose = {}};
     if (model.character.vrm != render::VrmVersion::none) {
         return options;  // stored in its T-pose; the rig turns it to the front
     }
-    const std::vector<std::size_t> order = in_order(figure.parents);
-    set_parents(model, figure.parents);
+    const std::vector<std::size_t> order = in_order(body.parents);
+    set_parents(model, body.parents);
     for (const std::size_t node : order) {
-        const int parent = figure.parents[node];
+        const int parent = body.parents[node];
         set_local(model.nodes[node],
-                  parent < 0 ? figure.world[node]
-                             : glm::inverse(figure.world[static_cast<std::size_t>(parent)]) *
-                                   figure.world[node]);
+                  parent < 0 ? body.world[node]
+                             : glm::inverse(body.world[static_cast<std::size_t>(parent)]) *
+                                   body.world[node]);
     }
     model.character.faces_minus_z = false;  // `world` is turned already
-    options.t_pose = t_pose_of(model, figure, order);
+    options.t_pose = t_pose_of(model, body, order);
     return options;
 }
 

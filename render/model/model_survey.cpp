@@ -130,7 +130,7 @@ std::string level_axis_of(glm::vec3 direction) {
     return glm::length(direction) > kShort ? axis_of(glm::normalize(direction)) : std::string();
 }
 
-void survey_figure(const Model& model, const std::vector<glm::mat4>& world, ModelSurvey& survey) {
+void survey_bones(const Model& model, const std::vector<glm::mat4>& world, ModelSurvey& survey) {
     using motion::Bone;
     const HumanoidMap& humanoid = model.character.humanoid;
     const auto node = [&](Bone bone) { return humanoid.nodes[motion::index_of(bone)]; };
@@ -235,7 +235,7 @@ ModelSurvey survey(const Model& model) {
     }
     survey.joints = joints.size();
     survey.box = rest_box(model);
-    survey_figure(model, world, survey);
+    survey_bones(model, world, survey);
     return survey;
 }
 

@@ -6,7 +6,7 @@
 
 #include "apps/xbody/skeleton_view.hpp"
 #include "base/pending_file.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 #include "tests/render/import/tiny_tds.hpp"
 #include "tests/support/temporary_folder.hpp"
 

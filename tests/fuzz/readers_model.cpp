@@ -16,7 +16,7 @@
 #include "render/import/model_motion.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/plain_picture.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 #include "render/model/model_survey.hpp"
 #include "tests/fuzz/readers.hpp"
 
@@ -125,19 +125,19 @@ void check(const render::Character& character, const render::Model& model) {
     }
 }
 
-/// A figure that is found stands: finite, with parents that end.
+/// A body that is found stands: finite, with parents that end.
 void check_standing(render::Model model) {
     if (!render::map_humanoid(model)) {
         return;
     }
     promise(render::missing_bones(model.character.humanoid).empty() ||
             model.character.vrm == render::VrmVersion::none);
-    const render::StandingFigure figure = render::stand_up(model);
-    promise(figure.world.size() == model.nodes.size() && figure.height > 0.0F);
+    const render::StandingBody standing = render::stand_up(model);
+    promise(standing.world.size() == model.nodes.size() && standing.height > 0.0F);
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
         std::size_t steps = 0;
         for (int up = static_cast<int>(node); up >= 0;
-             up = figure.parents[static_cast<std::size_t>(up)]) {
+             up = standing.parents[static_cast<std::size_t>(up)]) {
             promise(++steps <= model.nodes.size());
         }
     }

@@ -21,8 +21,8 @@
 #include "motion/skeleton/points/point_edges.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
-#include "render/scene/clip_figure.hpp"
-#include "render/scene/point_figure.hpp"
+#include "render/scene/clip_body.hpp"
+#include "render/scene/point_body.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
@@ -38,13 +38,13 @@ bool is_finite(const glm::vec3& v) {
 
 // The first, a middle and the last frame, as `raks stick` draws them.
 void draw(const motion::MotionClip& clip) {
-    const auto figures = render::ClipFigures::create(clip);
-    if (!figures) {
-        must_be_one_line(figures.error().message);
+    const auto recorded = render::ClipBodies::create(clip);
+    if (!recorded) {
+        must_be_one_line(recorded.error().message);
         return;
     }
     for (const std::size_t frame : {std::size_t{0}, clip.frame_count / 2, clip.frame_count - 1}) {
-        for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {
+        for (const render::StickVertex& vertex : recorded->at(frame).shape.vertices) {
             must(is_finite(vertex.position));
         }
     }
@@ -124,11 +124,11 @@ void must_be_sound(const motion::PointClip& clip) {
         must_be_one_line(warning);
     }
     const render::PointFrame lie = render::guess_point_frame(clip).frame;
-    const auto figures = render::PointFigures::create(
+    const auto recorded = render::PointBodies::create(
         {motion::world_points(clip, lie.metres_per_unit, lie.up, motion::guess_edges(clip))});
-    must(figures.has_value());
+    must(recorded.has_value());
     for (const std::size_t frame : {std::size_t{0}, clip.frame_count - 1}) {
-        for (const render::StickVertex& vertex : figures->at(frame).shape.vertices) {
+        for (const render::StickVertex& vertex : recorded->at(frame).shape.vertices) {
             must(is_finite(vertex.position));
         }
     }

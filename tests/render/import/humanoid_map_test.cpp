@@ -6,7 +6,7 @@
 #include "render/import/bind_places.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/humanoid_shape.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 #include "render/model/model_survey.hpp"
 #include "tests/render/import/vrm_text.hpp"
 #include "tests/support/mangled.hpp"
@@ -39,8 +39,8 @@ bool warns(const Model& model, std::string_view words) {
     return test::ReadFigure{.model = model, .error = {}}.warns(words);
 }
 
-glm::vec3 place(const StandingFigure& figure, const Model& model, Bone bone) {
-    return glm::vec3(figure.world[static_cast<std::size_t>(node_of_bone(model, bone))][3]);
+glm::vec3 place(const StandingBody& standing, const Model& model, Bone bone) {
+    return glm::vec3(standing.world[static_cast<std::size_t>(node_of_bone(model, bone))][3]);
 }
 
 TEST(HumanoidMap, a_figure_without_names_is_found_by_its_shape) {
@@ -247,11 +247,11 @@ Model part_man() {
 
 /// Where the left arm's own -y, along which its flesh lies, points in the T-pose.
 glm::vec3 left_arm_in_t_pose(Model& model) {
-    const StandingFigure figure = stand_up(model);
+    const StandingBody standing = stand_up(model);
     const auto arm = motion::index_of(Bone::left_upper_arm);
     const glm::mat3 world(
-        figure.world[static_cast<std::size_t>(model.character.humanoid.nodes[arm])]);
-    return figure.straighten[arm] * (world * glm::vec3(0.0F, -1.0F, 0.0F));
+        standing.world[static_cast<std::size_t>(model.character.humanoid.nodes[arm])]);
+    return standing.straighten[arm] * (world * glm::vec3(0.0F, -1.0F, 0.0F));
 }
 
 TEST(HumanoidMap, of_rigid_parts_needs_one_for_a_limb) {
@@ -303,9 +303,9 @@ TEST(BoneLabels, say_where_a_part_points_at_rest) {
     EXPECT_EQ(labels->bones[0].axis, glm::vec3(0, 0, 1));
     Model model = part_man();
     ASSERT_TRUE(map_humanoid(model, &*labels));
-    const StandingFigure figure = stand_up(model);
+    const StandingBody standing = stand_up(model);
     const glm::vec3 lifted =
-        figure.straighten[motion::index_of(Bone::left_upper_arm)] * glm::vec3(0.0F, 0.0F, 1.0F);
+        standing.straighten[motion::index_of(Bone::left_upper_arm)] * glm::vec3(0.0F, 0.0F, 1.0F);
     EXPECT_LT(glm::distance(lifted, glm::vec3(1, 0, 0)), 1e-5F);
     for (const std::string value :
          {"{axis = \"z\"}", "{node = \"a\", axis = \"up\"}", "{node = \"a\", turn = 3}", "[]"}) {
@@ -332,7 +332,7 @@ TEST(BoneLabels, any_damaged_text_is_read_or_refused) {
 
 // ---- How a figure stands
 
-TEST(StandingFigure, a_pose_of_an_animation_is_no_bind_pose) {
+TEST(StandingBody, a_pose_of_an_animation_is_no_bind_pose) {
     Model model = test::small_figure();
     const std::vector<glm::mat4> bound = rest_world(model);
     model.skins.emplace_back();
@@ -348,7 +348,7 @@ TEST(StandingFigure, a_pose_of_an_animation_is_no_bind_pose) {
     }
 }
 
-TEST(StandingFigure, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
+TEST(StandingBody, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
     // The small skin is first in the file, was bound with arms hanging, and alone has the
     // helper.
     Model model = test::small_figure();
@@ -376,7 +376,7 @@ TEST(StandingFigure, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
     }
 }
 
-TEST(StandingFigure, arms_are_brought_level_and_legs_down) {
+TEST(StandingBody, arms_are_brought_level_and_legs_down) {
     Model model = test::small_figure();
     for (const int arm : {6, 12}) {  // an A-pose
         const float side = arm == 6 ? 1.0F : -1.0F;
@@ -384,41 +384,41 @@ TEST(StandingFigure, arms_are_brought_level_and_legs_down) {
             glm::angleAxis(-0.8F * side, glm::vec3(0.0F, 0.0F, 1.0F));
     }
     ASSERT_TRUE(map_humanoid(model));
-    const StandingFigure figure = stand_up(model);
+    const StandingBody standing = stand_up(model);
     for (const Bone bone : {Bone::left_upper_arm, Bone::right_lower_arm}) {
         const Bone child = bone == Bone::left_upper_arm ? Bone::left_lower_arm : Bone::right_hand;
-        const glm::vec3 along = figure.straighten[motion::index_of(bone)] *
-                                (place(figure, model, child) - place(figure, model, bone));
+        const glm::vec3 along = standing.straighten[motion::index_of(bone)] *
+                                (place(standing, model, child) - place(standing, model, bone));
         EXPECT_NEAR(std::abs(along.x), glm::length(along), 1e-4F);
         EXPECT_EQ(along.x > 0.0F, bone == Bone::left_upper_arm);
     }
-    const glm::quat still = figure.straighten[motion::index_of(Bone::spine)];
+    const glm::quat still = standing.straighten[motion::index_of(Bone::spine)];
     EXPECT_FLOAT_EQ(still.w, 1.0F);
-    EXPECT_NEAR(figure.straighten[motion::index_of(Bone::left_upper_leg)].w, 1.0F, 1e-4F);
+    EXPECT_NEAR(standing.straighten[motion::index_of(Bone::left_upper_leg)].w, 1.0F, 1e-4F);
 }
 
-TEST(StandingFigure, faces_plus_z) {
+TEST(StandingBody, faces_plus_z) {
     for (const float yaw : {0.5F, 1.5708F, 3.1F}) {
         Model model = test::small_figure();
         model.nodes[0].rotation = glm::angleAxis(yaw, glm::vec3(0.0F, 1.0F, 0.0F));
         ASSERT_TRUE(map_humanoid(model));
-        const StandingFigure figure = stand_up(model);
-        const glm::vec3 across = place(figure, model, Bone::left_upper_leg) -
-                                 place(figure, model, Bone::right_upper_leg);
+        const StandingBody standing = stand_up(model);
+        const glm::vec3 across = place(standing, model, Bone::left_upper_leg) -
+                                 place(standing, model, Bone::right_upper_leg);
         EXPECT_NEAR(across.x, 0.2F, 1e-4F);
         EXPECT_NEAR(across.z, 0.0F, 1e-4F);
     }
 }
 
-TEST(StandingFigure, of_vrm_is_as_stored_and_of_0_turned_by_half) {
+TEST(StandingBody, of_vrm_is_as_stored_and_of_0_turned_by_half) {
     Model model = test::read_vrm0_text().model;
     model.nodes[0].translation.x = 0.5F;
-    const StandingFigure figure = stand_up(model);
-    EXPECT_NEAR(figure.world[0][3].x, -0.5F, 1e-6F);
-    EXPECT_FLOAT_EQ(figure.straighten[motion::index_of(Bone::left_upper_arm)].w, 1.0F);
+    const StandingBody standing = stand_up(model);
+    EXPECT_NEAR(standing.world[0][3].x, -0.5F, 1e-6F);
+    EXPECT_FLOAT_EQ(standing.straighten[motion::index_of(Bone::left_upper_arm)].w, 1.0F);
 }
 
-TEST(StandingFigure, is_scaled_where_it_is_no_persons_size) {
+TEST(StandingBody, is_scaled_where_it_is_no_persons_size) {
     Model model = test::small_figure();
     ASSERT_TRUE(map_humanoid(model));
     model.nodes[2].mesh = -1;
@@ -428,12 +428,12 @@ TEST(StandingFigure, is_scaled_where_it_is_no_persons_size) {
     for (ModelNode& node : model.nodes) {
         node.translation *= 100.0F;
     }
-    const StandingFigure giant = stand_up(model);
+    const StandingBody giant = stand_up(model);
     EXPECT_NEAR(giant.scale * giant.height, 1.7F, 1e-4F);
     EXPECT_TRUE(warns(model, "scaled to 1.7 m"));
 }
 
-TEST(StandingFigure, feet_of_a_rig_are_moved_to_their_legs) {
+TEST(StandingBody, feet_of_a_rig_are_moved_to_their_legs) {
     Model model;
     const int root = test::add_node(model, "root", -1);
     Model small = test::small_figure();
@@ -448,8 +448,8 @@ TEST(StandingFigure, feet_of_a_rig_are_moved_to_their_legs) {
     ASSERT_TRUE(map_humanoid(model));
     const int foot = node_of_bone(model, Bone::left_foot);
     EXPECT_EQ(model.nodes[static_cast<std::size_t>(foot)].parent, root);
-    const StandingFigure figure = stand_up(model);
-    EXPECT_EQ(figure.parents[static_cast<std::size_t>(foot)],
+    const StandingBody standing = stand_up(model);
+    EXPECT_EQ(standing.parents[static_cast<std::size_t>(foot)],
               node_of_bone(model, Bone::left_lower_leg));
     EXPECT_TRUE(warns(model, "does not hang on the leftLowerLeg; it is moved there"));
 }

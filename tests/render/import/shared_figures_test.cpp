@@ -12,7 +12,7 @@
 #include "render/import/humanoid_names.hpp"
 #include "render/import/humanoid_shape.hpp"
 #include "render/import/model_reader.hpp"
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 #include "render/model/model_survey.hpp"
 #include "tests/render/import/table.hpp"
 #include "tests/support/shared_data.hpp"
@@ -189,7 +189,7 @@ TEST_F(SharedFigures, of_gltf_are_found) {
             EXPECT_EQ(found_name(*model, model->character.humanoid, bone), name)
                 << motion::kBoneNames[motion::index_of(bone)];
         }
-        const StandingFigure standing = stand_up(*model);
+        const StandingBody standing = stand_up(*model);
         const auto place = [&](Bone bone) {
             return glm::vec3(standing.world[static_cast<std::size_t>(
                 model->character.humanoid.nodes[motion::index_of(bone)])][3]);

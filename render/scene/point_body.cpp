@@ -1,4 +1,4 @@
-#include "render/scene/point_figure.hpp"
+#include "render/scene/point_body.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace raks::render {
 namespace {
 
 constexpr std::size_t kMostPoints = 1000;     // what 16-bit indices have room for, twice
-constexpr double kFigureHeight = 1.714;       // metres: what the camera's distance belongs to
+constexpr double kBodyHeight = 1.714;         // metres: what the camera's distance belongs to
 constexpr double kLeastPerson = 0.5;          // metres of what is taken for a person
 constexpr double kMostPerson = 2.5;           // metres
 constexpr double kUsualPerson = 1.7;          // metres, where no unit fits
@@ -119,7 +119,7 @@ GuessedPointFrame guess_point_frame(const motion::PointClip& clip) {
     return guess;
 }
 
-PointFigures::PointFigures(std::vector<motion::WorldPoints> motions) {
+PointBodies::PointBodies(std::vector<motion::WorldPoints> motions) {
     constexpr std::array<StickPart, 2> kColours = {StickPart::left, StickPart::right};
     for (motion::WorldPoints& points : motions) {
         const StickPart colour =
@@ -129,8 +129,8 @@ PointFigures::PointFigures(std::vector<motion::WorldPoints> motions) {
     }
 }
 
-Expected<PointFigures> PointFigures::create(std::vector<motion::WorldPoints> motions,
-                                            Arrangement arrangement) {
+Expected<PointBodies> PointBodies::create(std::vector<motion::WorldPoints> motions,
+                                          Arrangement arrangement) {
     for (const motion::WorldPoints& points : motions) {
         if (points.clip.frame_count == 0 || points.clip.names.empty()) {
             return fail("has no frame to draw");
@@ -141,20 +141,20 @@ Expected<PointFigures> PointFigures::create(std::vector<motion::WorldPoints> mot
         }
         RAKS_ASSERT(points.clip.frame_count == motions.front().clip.frame_count);
     }
-    PointFigures figures(std::move(motions));
-    if (auto stood = figures.stand_on_floor(); !stood) {
+    PointBodies bodies(std::move(motions));
+    if (auto stood = bodies.stand_on_floor(); !stood) {
         return fail(std::move(stood.error()));
     }
     if (arrangement == Arrangement::side_by_side) {
-        figures.stand_side_by_side();
+        bodies.stand_side_by_side();
     }
-    if (auto chosen = figures.choose_detail(); !chosen) {
+    if (auto chosen = bodies.choose_detail(); !chosen) {
         return fail(std::move(chosen.error()));
     }
-    return figures;
+    return bodies;
 }
 
-Expected<void> PointFigures::stand_on_floor() {
+Expected<void> PointBodies::stand_on_floor() {
     std::vector<double> lowest;
     std::vector<double> highest;
     Box way;
@@ -182,12 +182,12 @@ Expected<void> PointFigures::stand_on_floor() {
     for (Part& part : parts_) {
         part.origin = {0.5 * (way.low.x + way.high.x), floor, 0.5 * (way.low.z + way.high.z)};
     }
-    size_ = static_cast<float>(std::clamp((top - floor) / kFigureHeight, 0.05, 20.0));
+    size_ = static_cast<float>(std::clamp((top - floor) / kBodyHeight, 0.05, 20.0));
     return {};
 }
 
 // Each in the middle of its own way, as far apart as the wider of them is in most frames.
-void PointFigures::stand_side_by_side() {
+void PointBodies::stand_side_by_side() {
     constexpr double kGap = 1.25;       // against the width
     constexpr double kNarrowest = 0.7;  // metres, of a body of usual size that stands edge on
     double width = kNarrowest * static_cast<double>(size_);
@@ -212,7 +212,7 @@ void PointFigures::stand_side_by_side() {
 }
 
 // The finest for which all points and sticks fit one mesh. Errors: too many points for any.
-Expected<void> PointFigures::choose_detail() {
+Expected<void> PointBodies::choose_detail() {
     constexpr std::array<Detail, 4> kDetails = {{{10, 18, 12}, {5, 8, 8}, {4, 5, 4}, {3, 4, 3}}};
     constexpr std::size_t kMostVertices = 65'535;  // 16-bit indices
     std::size_t points = 0;
@@ -241,7 +241,7 @@ Expected<void> PointFigures::choose_detail() {
     return {};
 }
 
-void PointFigures::add(const Part& part, std::size_t frame, Shape<StickVertex>& shape) const {
+void PointBodies::add(const Part& part, std::size_t frame, Shape<StickVertex>& shape) const {
     const motion::WorldPoints& points = part.points;
     StickBuilder builder(shape, 0, part.colour);
     builder.set_tint(1.0F);
@@ -268,12 +268,12 @@ void PointFigures::add(const Part& part, std::size_t frame, Shape<StickVertex>& 
     }
 }
 
-ClipFigure PointFigures::at(std::size_t frame) const {
-    ClipFigure figure;
+ClipBody PointBodies::at(std::size_t frame) const {
+    ClipBody body;
     glm::dvec3 sum(0.0);
     double count = 0.0;
     for (const Part& part : parts_) {
-        add(part, frame, figure.shape);
+        add(part, frame, body.shape);
         for (std::size_t point = 0; point < part.points.clip.names.size(); ++point) {
             if (const glm::dvec3& place = part.points.clip.position(frame, point); is_seen(place)) {
                 sum += place - part.origin;
@@ -282,29 +282,29 @@ ClipFigure PointFigures::at(std::size_t frame) const {
         }
     }
     // The camera follows their middle; where none is seen it stays at the stage's.
-    figure.landmarks.rotations.fill(motion::kNoRotation);
+    body.landmarks.rotations.fill(motion::kNoRotation);
     const glm::vec3 middle(count > 0.0 ? sum / count : glm::dvec3(0.0));
-    figure.landmarks.positions.fill(middle);
+    body.landmarks.positions.fill(middle);
     // Their shadow is that of feet under the middle, or where the first body has its joints.
     for (const motion::Bone foot : {motion::Bone::left_foot,
                                     motion::Bone::right_foot,
                                     motion::Bone::left_toes,
                                     motion::Bone::right_toes}) {
-        figure.landmarks.positions[motion::index_of(foot)] = {middle.x, 0.0F, middle.z};
+        body.landmarks.positions[motion::index_of(foot)] = {middle.x, 0.0F, middle.z};
     }
     const Part& first = parts_.front();
     for (std::size_t point = 0; point < first.points.bones.size(); ++point) {
         const auto bone = first.points.bones[point];
         const glm::dvec3& place = first.points.clip.position(frame, point);
         if (bone && *bone != motion::Bone::hips && is_seen(place)) {
-            figure.landmarks.positions[motion::index_of(*bone)] = glm::vec3(place - first.origin);
+            body.landmarks.positions[motion::index_of(*bone)] = glm::vec3(place - first.origin);
         }
     }
-    return figure;
+    return body;
 }
 
-std::vector<FigurePoint> PointFigures::points(std::size_t frame) const {
-    std::vector<FigurePoint> points;
+std::vector<BodyPoint> PointBodies::points(std::size_t frame) const {
+    std::vector<BodyPoint> points;
     for (const Part& part : parts_) {
         const motion::PointClip& clip = part.points.clip;
         for (std::size_t point = 0; point < part.points.named; ++point) {

@@ -1,4 +1,4 @@
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,36 +40,36 @@ motion::MotionClip chain(std::size_t joints) {
     return clip;
 }
 
-TEST(ClipFigures, stand_on_the_floor_in_the_middle_of_their_way) {
+TEST(ClipBodies, stand_on_the_floor_in_the_middle_of_their_way) {
     const motion::MotionClip clip = clip_of("plain.bvh");  // 9 joints, centimetres
-    const auto figures = ClipFigures::create(clip, {.metres_per_unit = 0.01});
-    ASSERT_TRUE(figures) << figures.error().message;
+    const auto bodies = ClipBodies::create(clip, {.metres_per_unit = 0.01});
+    ASSERT_TRUE(bodies) << bodies.error().message;
     float lowest = 1e9F;
     float highest = -1e9F;
     glm::vec3 low(1e9F);
     glm::vec3 high(-1e9F);
     for (std::size_t frame = 0; frame < clip.frame_count; ++frame) {
-        const ClipFigure figure = figures->at(frame);
-        for (const StickVertex& vertex : figure.shape.vertices) {
+        const ClipBody body = bodies->at(frame);
+        for (const StickVertex& vertex : body.shape.vertices) {
             lowest = std::min(lowest, vertex.position.y);
             highest = std::max(highest, vertex.position.y);
             EXPECT_NEAR(glm::length(vertex.normal), 1.0F, 1e-4F);
         }
-        low = glm::min(low, figure.landmarks.positions[0]);
-        high = glm::max(high, figure.landmarks.positions[0]);
+        low = glm::min(low, body.landmarks.positions[0]);
+        high = glm::max(high, body.landmarks.positions[0]);
     }
     EXPECT_NEAR(lowest, 0.0F, 0.05F) << "a twentieth of the frames may be lower";
     EXPECT_NEAR(highest, 1.4F, 0.2F);
     EXPECT_NEAR(low.x + high.x, 0.0F, 1e-4F);
     EXPECT_NEAR(low.z + high.z, 0.0F, 1e-4F);
-    EXPECT_NEAR(figures->size(), 1.4F / 1.714F, 0.1F);
+    EXPECT_NEAR(bodies->size(), 1.4F / 1.714F, 0.1F);
 }
 
-TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
+TEST(ClipBodies, tell_left_from_right_and_know_a_head) {
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const ClipFigure figure = ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0);
+    const ClipBody body = ClipBodies::create(clip, {.metres_per_unit = 0.01})->at(0);
     const auto colours = [&](auto wanted) {
-        return std::count_if(figure.shape.vertices.begin(), figure.shape.vertices.end(), wanted);
+        return std::count_if(body.shape.vertices.begin(), body.shape.vertices.end(), wanted);
     };
     EXPECT_GT(colours([](const StickVertex& v) { return v.left > 0; }), 100);
     EXPECT_EQ(colours([](const StickVertex& v) { return v.left > 0; }),
@@ -79,28 +79,28 @@ TEST(ClipFigures, tell_left_from_right_and_know_a_head) {
         joint.name = "joint";
     }
     EXPECT_GT(
-        figure.shape.vertices.size(),
-        ClipFigures::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
+        body.shape.vertices.size(),
+        ClipBodies::create(headless, {.metres_per_unit = 0.01})->at(0).shape.vertices.size() + 400)
         << "the egg and the nose";
 }
 
-TEST(ClipFigures, of_many_joints_fit_one_mesh_or_are_refused) {
-    const motion::MotionClip most = chain(ClipFigures::kMaxJoints);
-    const auto figures = ClipFigures::create(most, {.metres_per_unit = 1.0});
-    ASSERT_TRUE(figures);
-    EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
-    const motion::MotionClip more = chain(ClipFigures::kMaxJoints + 1);
-    const auto refused = ClipFigures::create(more, {.metres_per_unit = 1.0});
+TEST(ClipBodies, of_many_joints_fit_one_mesh_or_are_refused) {
+    const motion::MotionClip most = chain(ClipBodies::kMaxJoints);
+    const auto bodies = ClipBodies::create(most, {.metres_per_unit = 1.0});
+    ASSERT_TRUE(bodies);
+    EXPECT_LT(bodies->at(0).shape.vertices.size(), 65'536U);
+    const motion::MotionClip more = chain(ClipBodies::kMaxJoints + 1);
+    const auto refused = ClipBodies::create(more, {.metres_per_unit = 1.0});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message, "has 201 joints; at most 200 can be drawn");
-    EXPECT_FALSE(ClipFigures::create(motion::MotionClip{}));
+    EXPECT_FALSE(ClipBodies::create(motion::MotionClip{}));
 }
 
-TEST(ClipFigures, without_any_height_are_drawn_all_the_same) {
+TEST(ClipBodies, without_any_height_are_drawn_all_the_same) {
     motion::MotionClip flat = chain(1);
-    const ClipFigure figure = ClipFigures::create(flat, {.metres_per_unit = 1.0})->at(0);
-    ASSERT_FALSE(figure.shape.vertices.empty());
-    for (const StickVertex& vertex : figure.shape.vertices) {
+    const ClipBody body = ClipBodies::create(flat, {.metres_per_unit = 1.0})->at(0);
+    ASSERT_FALSE(body.shape.vertices.empty());
+    for (const StickVertex& vertex : body.shape.vertices) {
         EXPECT_TRUE(std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z));
     }
 }
@@ -118,13 +118,13 @@ motion::MotionClip dance_with_z_up() {
     return clip;
 }
 
-TEST(ClipFigures, of_a_body_stand_whichever_axis_is_up) {
-    const auto figures = ClipFigures::create(dance_with_z_up());
-    ASSERT_TRUE(figures) << figures.error().message;
-    ASSERT_TRUE(figures->body());
-    EXPECT_NEAR(figures->size(), 1.0F, 0.05F);
-    const ClipFigure figure = figures->at(0);
-    const auto& places = figure.landmarks;
+TEST(ClipBodies, of_a_body_stand_whichever_axis_is_up) {
+    const auto bodies = ClipBodies::create(dance_with_z_up());
+    ASSERT_TRUE(bodies) << bodies.error().message;
+    ASSERT_TRUE(bodies->body());
+    EXPECT_NEAR(bodies->size(), 1.0F, 0.05F);
+    const ClipBody body = bodies->at(0);
+    const auto& places = body.landmarks;
     EXPECT_GT(places.position(motion::Bone::head).y, 1.2F) << "metres over the floor";
     EXPECT_LT(places.position(motion::Bone::left_foot).y, 0.3F);
     const glm::vec3 across = places.position(motion::Bone::left_upper_leg) -
@@ -132,11 +132,11 @@ TEST(ClipFigures, of_a_body_stand_whichever_axis_is_up) {
     EXPECT_GT(across.x, 0.0F) << "faces us: its left is on our right";
 }
 
-TEST(ClipFigures, fit_the_picture_also_in_a_wrong_unit) {
-    const auto figures = ClipFigures::create(dance_with_z_up(), {.metres_per_unit = 1.0});
-    ASSERT_TRUE(figures) << figures.error().message;
-    EXPECT_LE(figures->size(), 2.5F) << "a camera has to get back far enough";
-    for (const StickVertex& vertex : figures->at(0).shape.vertices) {
+TEST(ClipBodies, fit_the_picture_also_in_a_wrong_unit) {
+    const auto bodies = ClipBodies::create(dance_with_z_up(), {.metres_per_unit = 1.0});
+    ASSERT_TRUE(bodies) << bodies.error().message;
+    EXPECT_LE(bodies->size(), 2.5F) << "a camera has to get back far enough";
+    for (const StickVertex& vertex : bodies->at(0).shape.vertices) {
         EXPECT_LT(vertex.position.y, 2.5F * 1.9F);
     }
 }
@@ -147,17 +147,17 @@ TEST_F(ClipPicture, shows_the_body_where_the_avatar_would_be_and_the_avatar_agai
     auto renderer = Renderer::create(build_mannequin(), {.quality = Quality::fast});
     ASSERT_TRUE(renderer) << renderer.error().message;
     const motion::MotionClip clip = clip_of("plain.bvh");
-    const std::vector<ClipFigure> figures = {
-        ClipFigures::create(clip, {.metres_per_unit = 0.01})->at(0)};
+    const std::vector<ClipBody> bodies = {
+        ClipBodies::create(clip, {.metres_per_unit = 0.01})->at(0)};
     const std::vector<motion::Pose> poses = {standing_pose()};
     PoseSheetConfig config;
     config.columns = 1;
     const auto before = draw_pose_sheet(*renderer, Scene{}, poses, config).value();
-    const auto clip_sheet = draw_pose_sheet(*renderer, Scene{}, figures, config).value();
+    const auto clip_sheet = draw_pose_sheet(*renderer, Scene{}, bodies, config).value();
     const auto after = draw_pose_sheet(*renderer, Scene{}, poses, config).value();
     EXPECT_EQ(clip_sheet.rgba.size(), before.rgba.size());
     EXPECT_TRUE(clip_sheet.rgba != before.rgba);
-    EXPECT_TRUE(after.rgba == before.rgba) << "nothing of the figure is left behind";
+    EXPECT_TRUE(after.rgba == before.rgba) << "nothing of the body is left behind";
 }
 
 }  // namespace

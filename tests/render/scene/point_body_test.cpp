@@ -1,5 +1,5 @@
 // Points of a capture on the stage.
-#include "render/scene/point_figure.hpp"
+#include "render/scene/point_body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace raks::render::point_figure_test {
+namespace raks::render::point_body_test {
 namespace {
 
 // A person of 1.8 m of three points, standing on a floor of its own, in millimetres with z up; the
@@ -30,10 +30,10 @@ motion::PointClip standing() {
     return clip;
 }
 
-Expected<PointFigures> figures_of(const motion::PointClip& clip,
-                                  std::vector<motion::PointEdge> edges = {}) {
+Expected<PointBodies> figures_of(const motion::PointClip& clip,
+                                 std::vector<motion::PointEdge> edges = {}) {
     const PointFrame frame = guess_point_frame(clip).frame;
-    return PointFigures::create(
+    return PointBodies::create(
         {motion::world_points(clip, frame.metres_per_unit, frame.up, std::move(edges))});
 }
 
@@ -41,16 +41,16 @@ struct Span {
     float low = 1e9F;
     float high = -1e9F;
 };
-Span span_of(const ClipFigure& figure, int axis) {
+Span span_of(const ClipBody& body, int axis) {
     Span span;
-    for (const StickVertex& vertex : figure.shape.vertices) {
+    for (const StickVertex& vertex : body.shape.vertices) {
         span.low = std::min(span.low, vertex.position[axis]);
         span.high = std::max(span.high, vertex.position[axis]);
     }
     return span;
 }
 
-TEST(PointFigures, what_a_file_does_not_say_is_guessed_from_the_points) {
+TEST(PointBodies, what_a_file_does_not_say_is_guessed_from_the_points) {
     motion::PointClip clip = standing();
     const GuessedPointFrame guess = guess_point_frame(clip);
     EXPECT_TRUE(guess.is_unit_guessed && guess.is_up_guessed);
@@ -64,22 +64,22 @@ TEST(PointFigures, what_a_file_does_not_say_is_guessed_from_the_points) {
     EXPECT_EQ(said.frame.up, *clip.up);
 }
 
-TEST(PointFigures, stand_upright_on_the_floor_in_the_middle_of_their_way) {
+TEST(PointBodies, stand_upright_on_the_floor_in_the_middle_of_their_way) {
     const motion::PointClip clip = standing();
-    const auto figures = figures_of(clip);
-    ASSERT_TRUE(figures) << figures.error().message;
-    EXPECT_NEAR(figures->size(), 1.8F / 1.714F, 1e-3F);
-    const ClipFigure first = figures->at(0);
+    const auto bodies = figures_of(clip);
+    ASSERT_TRUE(bodies) << bodies.error().message;
+    EXPECT_NEAR(bodies->size(), 1.8F / 1.714F, 1e-3F);
+    const ClipBody first = bodies->at(0);
     // Points are drawn as spheres of 2.5 cm.
     EXPECT_NEAR(span_of(first, 1).low, 0.0F, 0.03F);
     EXPECT_NEAR(span_of(first, 1).high, 1.8F, 0.03F);
     EXPECT_NEAR(span_of(first, 0).low, -0.2F, 0.03F);
-    EXPECT_NEAR(span_of(figures->at(1), 0).high, 0.2F, 0.03F);
+    EXPECT_NEAR(span_of(bodies->at(1), 0).high, 0.2F, 0.03F);
     // One sphere fewer where a point was not seen.
-    EXPECT_EQ(3 * figures->at(1).shape.vertices.size(), 2 * first.shape.vertices.size());
+    EXPECT_EQ(3 * bodies->at(1).shape.vertices.size(), 2 * first.shape.vertices.size());
 }
 
-TEST(PointFigures, are_joined_where_both_ends_are_seen) {
+TEST(PointBodies, are_joined_where_both_ends_are_seen) {
     const motion::PointClip clip = standing();
     const auto alone = figures_of(clip);
     const auto joined = figures_of(clip, {{0, 1}, {1, 2}});
@@ -89,18 +89,18 @@ TEST(PointFigures, are_joined_where_both_ends_are_seen) {
     };
     EXPECT_GT(sticks(0), 0U);
     EXPECT_EQ(sticks(1), 0U) << "the knee is not seen";
-    const std::vector<FigurePoint> points = joined->points(1);
+    const std::vector<BodyPoint> points = joined->points(1);
     ASSERT_EQ(points.size(), 3U);
     EXPECT_EQ(points[2].name, "foot");
     EXPECT_TRUE(std::isnan(points[1].place.x));
     EXPECT_NEAR(points[0].place.y, 1.8F, 1e-4F);
 }
 
-TEST(PointFigures, two_motions_lie_over_each_other_or_side_by_side) {
+TEST(PointBodies, two_motions_lie_over_each_other_or_side_by_side) {
     const PointFrame frame = guess_point_frame(standing()).frame;
     const auto two = [&](Arrangement arrangement) {
         const auto points = motion::world_points(standing(), frame.metres_per_unit, frame.up);
-        return PointFigures::create({points, points}, arrangement);
+        return PointBodies::create({points, points}, arrangement);
     };
     const auto over = two(Arrangement::overlaid);
     const auto beside = two(Arrangement::side_by_side);
@@ -111,7 +111,7 @@ TEST(PointFigures, two_motions_lie_over_each_other_or_side_by_side) {
     EXPECT_LT(beside->points(0)[0].place.x, beside->points(0)[3].place.x);
 }
 
-TEST(PointFigures, of_two_motions_with_very_many_edges_fit_one_mesh) {
+TEST(PointBodies, of_two_motions_with_very_many_edges_fit_one_mesh) {
     motion::PointClip most;
     most.frame_count = 1;
     most.frames_per_second = 1.0;
@@ -124,12 +124,12 @@ TEST(PointFigures, of_two_motions_with_very_many_edges_fit_one_mesh) {
         }
     }
     const auto points = motion::world_points(most, 1.0, {0.0, 1.0, 0.0}, edges);
-    const auto figures = PointFigures::create({points, points});
-    ASSERT_TRUE(figures);
-    EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
+    const auto bodies = PointBodies::create({points, points});
+    ASSERT_TRUE(bodies);
+    EXPECT_LT(bodies->at(0).shape.vertices.size(), 65'536U);
 }
 
-TEST(PointFigures, that_cannot_be_drawn_are_refused) {
+TEST(PointBodies, that_cannot_be_drawn_are_refused) {
     motion::PointClip many = standing();
     many.names.resize(1001);
     many.positions.resize(2002);
@@ -140,38 +140,38 @@ TEST(PointFigures, that_cannot_be_drawn_are_refused) {
     EXPECT_EQ(figures_of(dark).error().message, "has no frame in which a point is seen");
 }
 
-TEST(PointFigures, of_the_most_points_fit_one_mesh) {
+TEST(PointBodies, of_the_most_points_fit_one_mesh) {
     motion::PointClip most;
     most.names.resize(1000);
     most.frame_count = 1;
     for (int i = 0; i < 1000; ++i) {
         most.positions.emplace_back(0.0, 0.002 * i, 0.0);
     }
-    const auto figures = PointFigures::create({motion::world_points(most, 1.0, {0.0, 1.0, 0.0})});
-    ASSERT_TRUE(figures);
-    EXPECT_LT(figures->at(0).shape.vertices.size(), 65'536U);
+    const auto bodies = PointBodies::create({motion::world_points(most, 1.0, {0.0, 1.0, 0.0})});
+    ASSERT_TRUE(bodies);
+    EXPECT_LT(bodies->at(0).shape.vertices.size(), 65'536U);
 }
 
 TEST(Enclosing, goes_back_until_all_of_a_figure_is_in_the_picture) {
     motion::PointClip clip = standing();
     // A foot a metre and a half aside, as in a long lunge.
     clip.positions[2].x += 1500.0;
-    const auto figures = figures_of(clip);
-    ASSERT_TRUE(figures);
-    const ClipFigure figure = figures->at(0);
+    const auto bodies = figures_of(clip);
+    ASSERT_TRUE(bodies);
+    const ClipBody body = bodies->at(0);
     const Camera near;
-    const Camera far = enclosing(near, 0.75F, figure);
+    const Camera far = enclosing(near, 0.75F, body);
     EXPECT_GT(far.distance, near.distance);
     Camera panned = far;
-    panned.pan_to(figure.landmarks.position(motion::Bone::hips));
+    panned.pan_to(body.landmarks.position(motion::Bone::hips));
     const glm::mat4 clip_from_world = panned.clip_from_world(0.75F);
-    for (const StickVertex& vertex : figure.shape.vertices) {
+    for (const StickVertex& vertex : body.shape.vertices) {
         const glm::vec4 at = clip_from_world * glm::vec4(vertex.position, 1.0F);
         EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), at.w);
     }
-    // A figure that lies in the picture already leaves the camera where it is.
-    EXPECT_EQ(enclosing(far, 0.75F, figure), far);
+    // A body that lies in the picture already leaves the camera where it is.
+    EXPECT_EQ(enclosing(far, 0.75F, body), far);
 }
 
 }  // namespace
-}  // namespace raks::render::point_figure_test
+}  // namespace raks::render::point_body_test

@@ -1,4 +1,4 @@
-#include "render/import/standing_figure.hpp"
+#include "render/import/standing_body.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace {
 using motion::Bone;
 using motion::Side;
 
-constexpr float kNoTurn = 0.09F;  // radians, 5 degrees: a figure that faces +z already
+constexpr float kNoTurn = 0.09F;  // radians, 5 degrees: a body that faces +z already
 
 /// The shortest rotation from one direction to another, both of length 1.
 glm::quat shortest_rotation(const glm::vec3& from, const glm::vec3& to) {
@@ -51,7 +51,7 @@ bool hangs_on(const std::vector<int>& parents, int node, int ancestor) {
 }
 
 /// Moves bones that hang elsewhere below the bones of which they are parts.
-std::vector<int> parents_of_figure(Model& model) {
+std::vector<int> parents_of_bones(Model& model) {
     std::vector<int> parents;
     for (const ModelNode& node : model.nodes) {
         parents.push_back(node.parent);
@@ -74,7 +74,7 @@ std::vector<int> parents_of_figure(Model& model) {
         }
         parents[static_cast<std::size_t>(node)] = parent;
         warn(model,
-             fmt::format("\"{}\" ({}) does not hang on the {}; it is moved there",
+             fmt::format("\"{}\" ({}) does not lie below the {}; it is moved there",
                          node_of(model, node).name,
                          motion::kBoneNames[static_cast<std::size_t>(bone)],
                          motion::kBoneNames[static_cast<std::size_t>(parent_bone)]));
@@ -94,7 +94,7 @@ glm::quat turn_to_front(const Model& model, std::span<const glm::vec3> places) {
                                    : glm::angleAxis(-yaw, glm::vec3(0.0F, 1.0F, 0.0F));
 }
 
-/// Straightens the limbs of a figure that faces +z.
+/// Straightens the limbs of a body that faces +z.
 class Straightener {
  public:
     Straightener(const Model& model, std::span<const glm::mat4> world)
@@ -196,29 +196,28 @@ float height_of(const Model& model,
 
 }  // namespace
 
-StandingFigure stand_up(Model& model, std::optional<float> height) {
-    StandingFigure figure;
+StandingBody stand_up(Model& model, std::optional<float> height) {
+    StandingBody body;
     const bool is_vrm = model.character.vrm != VrmVersion::none;
-    figure.parents = parents_of_figure(model);
-    figure.world = is_vrm ? rest_world(model) : bind_world(model);
-    figure.turn = turn_to_front(model, places_of(figure.world));
-    const glm::mat4 turn = glm::mat4_cast(figure.turn);
-    for (glm::mat4& world : figure.world) {
+    body.parents = parents_of_bones(model);
+    body.world = is_vrm ? rest_world(model) : bind_world(model);
+    body.turn = turn_to_front(model, places_of(body.world));
+    const glm::mat4 turn = glm::mat4_cast(body.turn);
+    for (glm::mat4& world : body.world) {
         world = turn * world;
     }
-    const std::vector<glm::vec3> places = places_of(figure.world);
-    figure.straighten.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+    const std::vector<glm::vec3> places = places_of(body.world);
+    body.straighten.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
     if (!is_vrm) {
-        figure.straighten = Straightener(model, figure.world).straighten();
+        body.straighten = Straightener(model, body.world).straighten();
     }
-    figure.height = height_of(model, figure.world, places);
-    const bool is_usual = figure.height >= kLeastHeight && figure.height <= kMostHeight;
-    figure.scale = (height ? *height : (is_usual ? figure.height : kUsualHeight)) / figure.height;
+    body.height = height_of(model, body.world, places);
+    const bool is_usual = body.height >= kLeastHeight && body.height <= kMostHeight;
+    body.scale = (height ? *height : (is_usual ? body.height : kUsualHeight)) / body.height;
     if (!height && !is_usual) {
-        warn(model,
-             fmt::format("it is {:.3g} m high; scaled to {} m", figure.height, kUsualHeight));
+        warn(model, fmt::format("it is {:.3g} m tall; scaled to {} m", body.height, kUsualHeight));
     }
-    return figure;
+    return body;
 }
 
 }  // namespace raks::render

@@ -7,7 +7,7 @@
 #include "base/expected.hpp"
 #include "motion/skeleton/point_clip.hpp"
 #include "motion/skeleton/points/joint_points.hpp"
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -38,17 +38,17 @@ enum class Arrangement : std::uint8_t {
 /// (the 5th percentile over the frames), the middle of their way at the stage's centre. Points that
 /// were not seen are not drawn, nor are sticks to them. A single motion is pale; of two the first
 /// has the left side's colour, the second the right's. Threads: any (immutable). Real-time: no.
-class PointFigures final : public RecordedFigures {
+class PointBodies final : public RecordedBodies {
  public:
     /// `motions`: one or two, of the same number of frames. Errors: no frames, more points than a
     /// mesh has room for (1,000 of a motion).
-    [[nodiscard]] static Expected<PointFigures> create(
+    [[nodiscard]] static Expected<PointBodies> create(
         std::vector<motion::WorldPoints> motions, Arrangement arrangement = Arrangement::overlaid);
 
     [[nodiscard]] float size() const noexcept override { return size_; }
-    [[nodiscard]] ClipFigure at(std::size_t frame) const override;
+    [[nodiscard]] ClipBody at(std::size_t frame) const override;
     /// All but tips of limbs.
-    [[nodiscard]] std::vector<FigurePoint> points(std::size_t frame) const override;
+    [[nodiscard]] std::vector<BodyPoint> points(std::size_t frame) const override;
 
  private:
     struct Part {
@@ -64,7 +64,7 @@ class PointFigures final : public RecordedFigures {
         std::size_t sides;
     };
 
-    explicit PointFigures(std::vector<motion::WorldPoints> motions);
+    explicit PointBodies(std::vector<motion::WorldPoints> motions);
     [[nodiscard]] Expected<void> stand_on_floor();
     void stand_side_by_side();
     [[nodiscard]] Expected<void> choose_detail();

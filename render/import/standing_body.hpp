@@ -1,4 +1,4 @@
-// A model's figure as it stands: in its T-pose, turned to +z, in metres.
+// A model's body as it stands: in its T-pose, turned to +z, in metres.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ namespace raks::render {
 ///
 /// Joint matrices are as glTF has them: world x inverse bind. The pose in which all rotations of a
 /// motion are the identity is `world` with `straighten` applied bone by bone.
-struct StandingFigure {
+struct StandingBody {
     /// Parent of each node: the file's, but that a bone which hangs elsewhere (feet of a rig for
     /// inverse kinematics) is moved below the bone of which it is a part, with all that carries it
     /// alone. Acyclic.
     std::vector<int> parents;
-    /// World from each node, in the file's unit, turned so that the figure faces +z. VRM: the
+    /// World from each node, in the file's unit, turned so that the body faces +z. VRM: the
     /// nodes as stored, which is the T-pose; all others: as the skin was bound.
     std::vector<glm::mat4> world;
     /// The turn about y that `world` holds already; what is in the file's world must be turned by
@@ -35,18 +35,18 @@ struct StandingFigure {
     std::array<glm::quat, motion::kBoneCount> straighten;
     /// Of the mesh, else of the joints, in the file's unit; above 0.
     float height = 1.0F;
-    /// Metres from the file's unit: 1 of a figure 0.5 to 2.5 m high, else what makes it 1.7 m.
+    /// Metres from the file's unit: 1 of a body 0.5 to 2.5 m high, else what makes it 1.7 m.
     float scale = 1.0F;
 };
 
 inline constexpr float kUsualHeight = 1.7F;  ///< metres
-inline constexpr float kLeastHeight = 0.5F;  ///< metres, of a figure that is taken as it is
+inline constexpr float kLeastHeight = 0.5F;  ///< metres, of a body that is taken as it is
 inline constexpr float kMostHeight = 2.5F;   ///< metres
 
 /// Stands up a model whose humanoid is mapped (map_humanoid, or VRM's own). `height`: metres that
-/// it shall have, instead of its own. A figure whose parts hang elsewhere, or that is scaled, gets
+/// it shall have, instead of its own. A body whose parts hang elsewhere, or that is scaled, gets
 /// a warning that says so.
 /// Threads: workers. Real-time: no.
-[[nodiscard]] StandingFigure stand_up(Model& model, std::optional<float> height = std::nullopt);
+[[nodiscard]] StandingBody stand_up(Model& model, std::optional<float> height = std::nullopt);
 
 }  // namespace raks::render

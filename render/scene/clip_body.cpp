@@ -1,4 +1,4 @@
-#include "render/scene/clip_figure.hpp"
+#include "render/scene/clip_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,12 +52,12 @@ bool is_named_head(const std::string& name) {
     return plain == "head" || plain.ends_with("_head") || plain.ends_with(" head");
 }
 
-// Whether a figure lies in the picture whole, with a margin.
-bool is_whole(const Camera& camera, float aspect, const ClipFigure& figure) {
+// Whether a body lies in the picture whole, with a margin.
+bool is_whole(const Camera& camera, float aspect, const ClipBody& body) {
     constexpr float kEdge = 0.96F;  // of half the picture
     const glm::mat4 clip_from_world = camera.clip_from_world(aspect);
     return std::all_of(
-        figure.shape.vertices.begin(), figure.shape.vertices.end(), [&](const StickVertex& vertex) {
+        body.shape.vertices.begin(), body.shape.vertices.end(), [&](const StickVertex& vertex) {
             const glm::vec4 at = clip_from_world * glm::vec4(vertex.position, 1.0F);
             return at.w > 0.0F && std::abs(at.x) <= kEdge * at.w && std::abs(at.y) <= kEdge * at.w;
         });
@@ -65,19 +65,19 @@ bool is_whole(const Camera& camera, float aspect, const ClipFigure& figure) {
 
 }  // namespace
 
-Camera enclosing(Camera camera, float aspect, const ClipFigure& figure) {
+Camera enclosing(Camera camera, float aspect, const ClipBody& body) {
     constexpr float kStep = 1.03F;
     Camera panned = camera;
-    panned.pan_to(figure.landmarks.position(motion::Bone::hips));
-    while (!is_whole(panned, aspect, figure) && panned.distance < Camera::kMaxDistance) {
+    panned.pan_to(body.landmarks.position(motion::Bone::hips));
+    while (!is_whole(panned, aspect, body) && panned.distance < Camera::kMaxDistance) {
         panned.zoom(kStep);
     }
     camera.distance = panned.distance;
     return camera;
 }
 
-Expected<ClipFigures> ClipFigures::create(motion::MotionClip clip,
-                                          const motion::BodyOptions& options) {
+Expected<ClipBodies> ClipBodies::create(motion::MotionClip clip,
+                                        const motion::BodyOptions& options) {
     if (clip.frame_count == 0 || clip.joints.empty()) {
         return fail("has no frame to draw");
     }
@@ -85,16 +85,16 @@ Expected<ClipFigures> ClipFigures::create(motion::MotionClip clip,
         return fail("has " + std::to_string(clip.joints.size()) + " joints; at most " +
                     std::to_string(kMaxJoints) + " can be drawn");
     }
-    ClipFigures figures(std::move(clip));
-    figures.find_bones(options);
-    figures.look_at_rest_pose();
-    figures.face_us();
-    figures.find_origin();
-    return figures;
+    ClipBodies bodies(std::move(clip));
+    bodies.find_bones(options);
+    bodies.look_at_rest_pose();
+    bodies.face_us();
+    bodies.find_origin();
+    return bodies;
 }
 
 /// A humanoid's joints are known by their part in the skeleton; of anything else only the head.
-void ClipFigures::find_bones(const motion::BodyOptions& options) {
+void ClipBodies::find_bones(const motion::BodyOptions& options) {
     auto body = motion::find_body(clip_, options);
     if (body) {
         clip_ = motion::stood_up(std::move(clip_), *body);
@@ -113,8 +113,9 @@ void ClipFigures::find_bones(const motion::BodyOptions& options) {
     }
 }
 
-/// What is no humanoid has no feet to go by: as given, or the longer of y and z.
-void ClipFigures::stand_up_other(const motion::BodyOptions& options) {
+/// Which axis is up in a clip that is not of a human body, so that there are no feet to tell it:
+/// the axis that was given, else the longer of y and z.
+void ClipBodies::stand_up_other(const motion::BodyOptions& options) {
     const glm::dvec3 y(0.0, 1.0, 0.0);
     const glm::dvec3 z(0.0, 0.0, 1.0);
     constexpr double kClearly = 1.5;
@@ -140,7 +141,7 @@ void ClipFigures::stand_up_other(const motion::BodyOptions& options) {
 
 /// Sides and fingers come from the rest pose, where they do not depend on the motion; the size from
 /// the posed body.
-void ClipFigures::look_at_rest_pose() {
+void ClipBodies::look_at_rest_pose() {
     const std::vector<glm::dvec3> rest = motion::rest_positions(clip_);
     const double extent = posed_extent(clip_, {0.0, 1.0, 0.0});
     const double height = body_ ? std::max(body_->size.height / metres_per_unit_, extent) : extent;
@@ -168,7 +169,7 @@ void ClipFigures::look_at_rest_pose() {
 
 /// Turns the body so that it faces us on the whole, by the line of its hip sockets: the mean of all
 /// frames, or the first where it turns about. A body that nearly does keeps its axes.
-void ClipFigures::face_us() {
+void ClipBodies::face_us() {
     const auto left = mapping_.joint(motion::Bone::left_upper_leg);
     const auto right = mapping_.joint(motion::Bone::right_upper_leg);
     if (!left || !right) {
@@ -194,7 +195,7 @@ void ClipFigures::face_us() {
 }
 
 /// Under the middle of the root's way, at the height of the floor.
-void ClipFigures::find_origin() {
+void ClipBodies::find_origin() {
     glm::dvec3 low(1e300);
     glm::dvec3 high(-1e300);
     std::vector<double> lowest;
@@ -227,14 +228,14 @@ void ClipFigures::find_origin() {
 
 /// World place on the stage. The subtraction is in doubles: clips may be recorded far from their
 /// origin.
-glm::vec3 ClipFigures::place_of(const glm::dvec3& in_file_units) const {
+glm::vec3 ClipBodies::place_of(const glm::dvec3& in_file_units) const {
     return glm::vec3(facing_ * (drawn_metres_ * in_file_units - origin_));
 }
 
 /// The sphere of a joint, the stick to its parent, and the stick to its tip where it ends a limb.
-void ClipFigures::add_joint(const motion::ClipWorldPose& world,
-                            std::size_t j,
-                            Shape<StickVertex>& shape) const {
+void ClipBodies::add_joint(const motion::ClipWorldPose& world,
+                           std::size_t j,
+                           Shape<StickVertex>& shape) const {
     const Joint& joint = joints_[j];
     const StickPart part = joint.side;
     StickBuilder builder(shape, 0, part);
@@ -260,7 +261,7 @@ void ClipFigures::add_joint(const motion::ClipWorldPose& world,
 }
 
 /// The head is built at the origin in the mannequin's size, then turned, scaled and moved.
-void ClipFigures::add_head(const motion::ClipWorldPose& world, Shape<StickVertex>& shape) const {
+void ClipBodies::add_head(const motion::ClipWorldPose& world, Shape<StickVertex>& shape) const {
     if (!head_) {
         return;
     }
@@ -277,7 +278,7 @@ void ClipFigures::add_head(const motion::ClipWorldPose& world, Shape<StickVertex
 
 /// Places of the humanoid's bones. Bones come after their parents, so a missing one can take the
 /// place that its parent already has.
-motion::WorldPose ClipFigures::landmarks(const motion::ClipWorldPose& world) const {
+motion::WorldPose ClipBodies::landmarks(const motion::ClipWorldPose& world) const {
     motion::WorldPose landmarks;
     landmarks.rotations.fill(motion::kNoRotation);
     landmarks.positions[0] =
@@ -290,22 +291,22 @@ motion::WorldPose ClipFigures::landmarks(const motion::ClipWorldPose& world) con
     return landmarks;
 }
 
-ClipFigure ClipFigures::at(std::size_t frame) const {
+ClipBody ClipBodies::at(std::size_t frame) const {
     const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
-    ClipFigure figure;
+    ClipBody body;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
         if (joints_[j].is_drawn) {
-            add_joint(world, j, figure.shape);
+            add_joint(world, j, body.shape);
         }
     }
-    add_head(world, figure.shape);
-    figure.landmarks = landmarks(world);
-    return figure;
+    add_head(world, body.shape);
+    body.landmarks = landmarks(world);
+    return body;
 }
 
-std::vector<FigurePoint> ClipFigures::points(std::size_t frame) const {
+std::vector<BodyPoint> ClipBodies::points(std::size_t frame) const {
     const motion::ClipWorldPose world = motion::world_pose(clip_, frame);
-    std::vector<FigurePoint> points;
+    std::vector<BodyPoint> points;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
         if (joints_[j].is_drawn) {
             points.push_back({clip_.joints[j].name, place_of(world.positions[j]), joints_[j].side});

@@ -21,7 +21,7 @@
 namespace raks::render {
 
 /// A recorded body as it stands in the world at one frame.
-struct ClipFigure {
+struct ClipBody {
     Shape<StickVertex> shape;  ///< in the world, metres; all of bone 0
     /// Where the humanoid's joints are, for shadow, light and camera; a joint that the clip does
     /// not have lies where its parent does.
@@ -29,28 +29,28 @@ struct ClipFigure {
 };
 
 /// A joint or point of a recording on the stage.
-struct FigurePoint {
-    std::string_view name;               ///< as its file has it; lives as long as the figures
+struct BodyPoint {
+    std::string_view name;               ///< as its file has it; lives as long as the bodies
     glm::vec3 place{};                   ///< in the world, metres; NaN: not seen
     StickPart part = StickPart::middle;  ///< whose colour it has
 };
 
 /// What is drawn of a recording, frame by frame.
-class RecordedFigures {
+class RecordedBodies {
  public:
-    virtual ~RecordedFigures() = default;
+    virtual ~RecordedBodies() = default;
     /// Its joints or points at a frame, where `at` draws them; the same ones in each frame.
-    [[nodiscard]] virtual std::vector<FigurePoint> points(std::size_t frame) const = 0;
+    [[nodiscard]] virtual std::vector<BodyPoint> points(std::size_t frame) const = 0;
     /// Its height divided by the mannequin's: the factor for a camera's distance.
     [[nodiscard]] virtual float size() const noexcept = 0;
-    /// The figure at a frame of the recording; `frame` < its frame count.
-    [[nodiscard]] virtual ClipFigure at(std::size_t frame) const = 0;
+    /// The body at a frame of the recording; `frame` < its frame count.
+    [[nodiscard]] virtual ClipBody at(std::size_t frame) const = 0;
 };
 
-/// The camera as far away as a figure needs to lie in a picture of width / height = `aspect` whole,
-/// with a margin, when the camera has panned to its hips; no nearer than it stands. A figure that
+/// The camera as far away as a body needs to lie in a picture of width / height = `aspect` whole,
+/// with a margin, when the camera has panned to its hips; no nearer than it stands. A body that
 /// is too large for the greatest distance is cut.
-[[nodiscard]] Camera enclosing(Camera camera, float aspect, const ClipFigure& figure);
+[[nodiscard]] Camera enclosing(Camera camera, float aspect, const ClipBody& body);
 
 /// The stick figure of a clip's own skeleton, of whatever shape: bones keep their lengths. A
 /// humanoid is found as for retargeting (body_finder.hpp): it stands with y up, in metres, on the
@@ -59,15 +59,15 @@ class RecordedFigures {
 /// the lowest joint's height), the middle of the root's way at the stage's centre. Joints whose
 /// rest place is left or right of the middle have that side's colour; the head is an egg with a
 /// nose where one is known. Threads: any (immutable). Real-time: no.
-class ClipFigures final : public RecordedFigures {
+class ClipBodies final : public RecordedBodies {
  public:
     /// The most joints that are drawn.
     static constexpr std::size_t kMaxJoints =
         200;  ///< what 16-bit indices of one mesh have room for
 
     /// `options`: what is known of the clip. Errors: no frames, more joints than above.
-    [[nodiscard]] static Expected<ClipFigures> create(motion::MotionClip clip,
-                                                      const motion::BodyOptions& options = {});
+    [[nodiscard]] static Expected<ClipBodies> create(motion::MotionClip clip,
+                                                     const motion::BodyOptions& options = {});
 
     /// The body, where it is a humanoid's.
     [[nodiscard]] const std::optional<motion::FoundBody>& body() const noexcept { return body_; }
@@ -82,13 +82,13 @@ class ClipFigures final : public RecordedFigures {
     /// A body of absurd size (a wrong unit was given) is drawn as small or large as can be shown.
     [[nodiscard]] float size() const noexcept override { return size_; }
 
-    /// The figure at a frame of the clip; `frame` < the clip's frame count.
-    [[nodiscard]] ClipFigure at(std::size_t frame) const override;
+    /// The body at a frame of the clip; `frame` < the clip's frame count.
+    [[nodiscard]] ClipBody at(std::size_t frame) const override;
     /// Those of its joints that are drawn.
-    [[nodiscard]] std::vector<FigurePoint> points(std::size_t frame) const override;
+    [[nodiscard]] std::vector<BodyPoint> points(std::size_t frame) const override;
 
  private:
-    explicit ClipFigures(motion::MotionClip clip) : clip_(std::move(clip)) {}
+    explicit ClipBodies(motion::MotionClip clip) : clip_(std::move(clip)) {}
 
     struct Joint {
         bool is_drawn = true;   // below a head: eyes and jaws lie inside the egg
