@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <string>
 #include <utility>
 
+#include "apps/terminal/say.hpp"
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/io/audio_file.hpp"
@@ -162,18 +163,16 @@ void print_cost(const Cost& cost, const GenreOptions& options) {
     if (cost.music <= 0.0) {
         return;  // all of it was in the cache
     }
-    std::fprintf(stderr,
-                 "raks: %.1f min of recordings analysed in %.1f s of computing",
-                 cost.music / 60.0,
-                 cost.extracting);
+    std::string line = fmt::format("{:.1f} min of recordings analyzed in {:.1f} s of computing",
+                                   cost.music / 60.0,
+                                   cost.extracting);
     if (options.augmentation.copies > 0) {
-        std::fprintf(stderr,
-                     "; %d altered copies made in %.1f s, analysed in %.1f s",
-                     options.augmentation.copies,
-                     cost.altering,
-                     cost.extracting_copies);
+        line += fmt::format("; {} altered copies made in {:.1f} s, analyzed in {:.1f} s",
+                            options.augmentation.copies,
+                            cost.altering,
+                            cost.extracting_copies);
     }
-    std::fputc('\n', stderr);
+    say(line);
 }
 
 }  // namespace
@@ -234,12 +233,11 @@ std::vector<audio::FeatureUnit> extract_recordings(const std::vector<audio::Musi
         // relaxed: a count for the progress line only.
         const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
         if (finished % kReportEvery == 0) {
-            std::fprintf(stderr,
-                         "raks: %zu of %zu recordings analysed, %.0f s left\n",
-                         finished,
-                         own.size(),
-                         seconds_since(start) * static_cast<double>(own.size() - finished) /
-                             static_cast<double>(finished));
+            say(fmt::format("{} of {} recordings analyzed, {:.0f} s left",
+                            finished,
+                            own.size(),
+                            seconds_since(start) * static_cast<double>(own.size() - finished) /
+                                static_cast<double>(finished)));
         }
     });
     Cost all;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <map>
@@ -77,14 +76,13 @@ std::shared_ptr<const models::RecurrentNetwork> learnt_once(const GenreOptions& 
     const auto start = std::chrono::steady_clock::now();
     const audio::ReportNetwork report = [&](const audio::NetworkTrainingProgress& now) {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        std::fprintf(
-            stderr,
-            "raks: network: step %d of %d, loss %.3f, of pieces kept out %.3f, %.0f s left\n",
+        say(fmt::format(
+            "network: step {} of {}, loss {:.3f}, {:.3f} of pieces not learnt from, {:.0f} s left",
             now.step,
             now.steps,
             now.training_loss,
             now.validation_loss,
-            spent.count() * (now.steps - now.step) / now.step);
+            spent.count() * (now.steps - now.step) / now.step));
     };
     auto network = std::make_shared<const models::RecurrentNetwork>(learn(report));
     // A cache that cannot be written costs the next run time and nothing else.
@@ -218,7 +216,7 @@ Expected<std::vector<audio::WindowScore>> validate_by_group(
                                      : DamagedMusic{};
     const auto scores =
         audio::cross_validate(pieces, damaged.pieces, genres, options.plan, [](int done, int all) {
-            std::fprintf(stderr, "raks: fold %d of %d\n", done, all);
+            say(fmt::format("validation: fold {} of {}", done, all));
         });
     if (!scores) {
         return fail(scores.error());

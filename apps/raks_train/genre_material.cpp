@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <iterator>
 #include <utility>
@@ -44,15 +43,14 @@ Expected<std::vector<audio::FeatureUnit>> extract_chunks(const GenreOptions& opt
         // Refused chunks count as done, so that the time left is about what remains.
         ++done;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        std::fprintf(
-            stderr,
-            "raks: %s: %zu of %zu chunks played and analysed (%.0f s of computing), %.0f s "
-            "left\n",
-            chunks[i].name.c_str(),
+        say(fmt::format(
+            "{}: {} of {} chunks of music played and analyzed ({:.0f} s of computing), {:.0f} s "
+            "left",
+            chunks[i].name,
             done,
             chunks.size(),
             static_cast<double>(std::clock() - computed) / CLOCKS_PER_SEC,
-            spent.count() * static_cast<double>(chunks.size() - done) / static_cast<double>(done));
+            spent.count() * static_cast<double>(chunks.size() - done) / static_cast<double>(done)));
     }
     return units;
 }
@@ -160,7 +158,7 @@ Expected<void> report_faults(const GenreOptions& options, const audio::FeatureMa
         }
     }
     if (skipped > 0) {
-        std::fprintf(stderr, "raks: %zu of %zu files skipped\n", skipped, material.files.size());
+        say(fmt::format("{} of {} files skipped", skipped, material.files.size()));
     }
     if (options.recordings.is_strict && skipped > 0) {
         return fail(fmt::format("{} of {} files cannot be used (--strict): {}",

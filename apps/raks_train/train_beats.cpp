@@ -1,5 +1,4 @@
 // `raks train beats`: renders a corpus and trains the networks of beats and bars.
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -11,6 +10,7 @@
 
 #include "apps/raks_train/installed_styles.hpp"
 #include "apps/raks_train/train_commands.hpp"
+#include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/pending_file.hpp"
@@ -35,7 +35,7 @@ Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const TrainBeatsAr
     if (!options.corpus_file.empty() && std::filesystem::exists(options.corpus_file, ignored)) {
         return audio::load_corpus(options.corpus_file);
     }
-    std::fprintf(stderr, "raks: rendering %d pieces\n", options.corpus.excerpts);
+    say(fmt::format("playing {} pieces of music to learn from", options.corpus.excerpts));
     auto corpus = audio::make_corpus(options.corpus);
     if (corpus && !options.corpus_file.empty()) {
         if (auto saved = audio::save_corpus(*corpus, options.corpus_file); !saved) {
@@ -109,12 +109,11 @@ Expected<void> write_made_of(const std::vector<std::filesystem::path>& files,
 }
 
 void print_progress(const audio::NetworkProgress& progress) {
-    std::fprintf(stderr,
-                 "step %5d of %d   loss %.4f   validation %.4f\n",
-                 progress.step,
-                 progress.steps,
-                 progress.training_loss,
-                 progress.validation_loss);
+    say(fmt::format("step {:5} of {}   loss {:.4f}   validation {:.4f}",
+                    progress.step,
+                    progress.steps,
+                    progress.training_loss,
+                    progress.validation_loss));
 }
 
 // Trains the bar network on what the beat network of --from computes; that network's beats stay as
@@ -128,7 +127,7 @@ Expected<void> learn_bars(const TrainBeatsArguments& options,
     plan.seed = options.network.seed;
     plan.threads = options.network.threads;
     // Stays when no piece has bars, since then nothing is reported.
-    Expected<void> saved = fail("no piece of this corpus tells bars");
+    Expected<void> saved = fail("no piece of this music has bars to learn from");
     // Every report saves the file: an interrupted training leaves the last state.
     const auto report = [&](const audio::NetworkProgress& progress, const audio::BarNetwork& bars) {
         print_progress(progress);

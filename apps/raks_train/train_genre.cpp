@@ -1,6 +1,5 @@
 // `raks train genre`.
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <iterator>
@@ -158,11 +157,11 @@ Expected<void> learn(GenreOptions& options,
     if (!model) {
         return fail(model.error());
     }
-    std::fprintf(stderr,
-                 "raks: learnt in %.1f s of computing, after %.1f s to learn from written music "
-                 "and to validate\n",
-                 static_cast<double>(std::clock() - validated) / CLOCKS_PER_SEC,
-                 static_cast<double>(validated - start) / CLOCKS_PER_SEC);
+    say(
+        fmt::format("learnt in {:.1f} s of computing, after {:.1f} s to learn from written music "
+                    "and to validate",
+                    static_cast<double>(std::clock() - validated) / CLOCKS_PER_SEC,
+                    static_cast<double>(validated - start) / CLOCKS_PER_SEC));
     audio::calibrate(held_out, *model);
     model->made_with = command;
     model->attribution = attribution_of(*material, options.recordings, options.written);
