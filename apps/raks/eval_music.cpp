@@ -30,7 +30,7 @@ constexpr std::array kStyles = {audio::Style::drums,
 constexpr double kTail = 4.0;
 // A fade is over when it can no longer be heard, some time before its last sample.
 constexpr Nanos kFadeTolerance = std::chrono::milliseconds(2500);
-// Beats for which the one chord of a stop sounds: then it is a stop.
+// A stop begins with one chord that sounds for so many beats; only then is it heard as a stop.
 constexpr double kChordBeats = 0.8;
 
 // Keeps what is told.

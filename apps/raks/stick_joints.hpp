@@ -7,7 +7,7 @@
 namespace raks::apps {
 
 /// Puts what a person said of joints into the clip, looks for its joints and says what was guessed
-/// or changed; a clip that is no body is drawn all the same, with a line that says why it is none.
+/// or changed; a clip without a body is drawn all the same, with a line that says why it is none.
 /// Errors: of the map and the options; joints that the clip has not.
 [[nodiscard]] Expected<void> look_for_joints(const StickArguments& arguments,
                                              motion::MotionClip& clip);

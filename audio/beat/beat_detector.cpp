@@ -8,9 +8,10 @@ namespace {
 
 constexpr int kRemembered = 500;  // hops: memory of mean and variance
 constexpr int kFewest = 200;      // hops that they must contain before a comparison
-// Thresholds of the bands' squared distances over their variances, averaged: of all, and of those
-// that became louder and of those that became softer. Where players pause or come in, all bands
-// fall or rise, and the beats go on; in another song some bands do each.
+// Another song is heard where the bands' squared distances, each divided by its variance, exceed
+// two thresholds: kChanged in their mean, and kEachWay both in what bands that became louder add to
+// that mean and in what bands that became softer add. Where players pause, all bands fall; where
+// they come in, all rise; and the beats go on. In another song some bands do each.
 constexpr double kChanged = 3.0;
 constexpr double kEachWay = 0.5;
 constexpr double kVariance = 0.02;  // added to each variance: steady tones have none

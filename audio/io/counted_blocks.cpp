@@ -8,7 +8,7 @@
 
 namespace raks::audio {
 
-// What both directions do first.
+// What input and output both do at the start of a block.
 BlockTime CountedBlocks::begin(std::size_t samples, HostTime entered) noexcept RAKS_NONBLOCKING {
     const std::int64_t frames = static_cast<std::int64_t>(samples) / channels_;
     const BlockTime time{.first_frame = frames_,
@@ -17,7 +17,7 @@ BlockTime CountedBlocks::begin(std::size_t samples, HostTime entered) noexcept R
     frames_ += frames;
     last_block_ns_.store(host_now().time_since_epoch().count(), std::memory_order_relaxed);
     block_frames_.store(static_cast<int>(frames), std::memory_order_relaxed);
-    // glibc reads it from a register.
+    // Trusted in real time: glibc reads it from a register.
     thread_.store(RAKS_TRUSTED(pthread_self()), std::memory_order_relaxed);
     callbacks_.fetch_add(1, std::memory_order_relaxed);
     return time;
@@ -66,8 +66,8 @@ std::string CountedBlocks::scheduling() const {
         pthread_getschedparam(thread_.load(std::memory_order_relaxed), &policy, &parameters) != 0) {
         return "unknown";
     }
-    // With this flag JACK makes threads that its own start be of the ordinary class; it is not a
-    // part of the class.
+    // JACK sets this flag so that threads which its threads start do not inherit their priority. It
+    // says nothing about the class of the thread itself.
     switch (policy & ~SCHED_RESET_ON_FORK) {
         case SCHED_FIFO:
             return "SCHED_FIFO";

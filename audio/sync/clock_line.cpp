@@ -57,8 +57,8 @@ std::size_t mark(std::span<const ClockPoint> points,
     return used;
 }
 
-// The pair of points whose line has the most others near; of equals the one with the smallest sum
-// of distances.
+// The line through that pair of points which has the most other points near it. Of lines with
+// equally many, the one with the smallest sum of distances.
 std::optional<ClockLine> best_pair(std::span<const ClockPoint> points, double tolerance) {
     std::optional<ClockLine> best;
     std::size_t most = 0;
@@ -98,8 +98,8 @@ std::optional<ClockFit> fit_clock_line(std::span<const ClockPoint> points, doubl
     }
     ClockFit fit;
     fit.is_on_line.resize(points.size());
-    // The line through two points runs beside that through all of them: those on it change a
-    // little when it is fitted.
+    // A line through two points is a little off the line that fits all points near it. After each
+    // fit, which points are near changes a little, so fitting is repeated.
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds; ++round) {
         mark(points, *line, tolerance, fit.is_on_line);

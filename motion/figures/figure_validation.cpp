@@ -14,8 +14,9 @@ namespace {
 
 // Limits of any number in a figure, far beyond what a body does: metres, radians, and those a beat.
 constexpr double kLargest = 1e4;
-// Of variances. Their inverses weigh the terms of a trajectory: with smaller ones the equations
-// overflow, and what is no number anymore ends no loop. Learnt figures have 1e-10 or more.
+// The smallest variance. A trajectory is found by equations that divide by variances: with smaller
+// ones they overflow, and loops that compare their results never end. Learnt figures have 1e-10 or
+// more.
 constexpr double kLeastVariance = 1e-12;
 constexpr std::size_t kMostSamples = 2048;  // of a figure: smoothing takes its square
 constexpr std::size_t kMaxStates = 256;     // of one part
