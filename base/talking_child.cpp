@@ -115,12 +115,12 @@ std::string TalkingChild::end(Talk why, std::chrono::milliseconds longest) {
             return fmt::format("its reader took more than {} s and was ended",
                                std::chrono::duration<double>(longest).count());
         case Talk::broke:
-            return fmt::format("its reader broke off ({}): it is damaged, or too large", how);
+            return fmt::format("its reader ended too soon ({}): it is damaged, or too large", how);
         case Talk::good:
         case Talk::nonsense:
             break;
     }
-    return "its reader answered nonsense and was ended";
+    return "its reader sent a broken answer and was ended";
 }
 
 }  // namespace raks

@@ -53,8 +53,8 @@ class TalkingChild {
 
     /// Our end of the socket.
     [[nodiscard]] int socket() const noexcept { return socket_.number; }
-    /// Ends it after a talk that was not good, and says why in words: "its reader broke off (killed
-    /// by SIGSEGV): it is damaged, or too large". `longest`: how long it had.
+    /// Ends it after a talk that was not good, and says why in words: "its reader ended too soon
+    /// (killed by SIGSEGV): it is damaged, or too large". `longest`: how long it had.
     [[nodiscard]] std::string end(Talk why, std::chrono::milliseconds longest);
 
  private:

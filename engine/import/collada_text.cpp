@@ -71,7 +71,7 @@ Expected<std::string> as_utf8(std::string_view bytes) {
     const std::string_view mark = bytes.substr(0, 2);
     if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
         if (bytes.size() % 2 != 0) {
-            return fail("UTF-16 that is cut");
+            return fail("is UTF-16 that is cut off");
         }
         std::string text = from_utf16(bytes.substr(2), mark == "\xFE\xFF");
         set_encoding(text);
@@ -112,14 +112,15 @@ Expected<void> check_depth(std::string_view text) {
     for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
         const std::size_t end = text.find('>', at);
         if (end == std::string_view::npos) {
-            return fail("cut within an element");
+            return fail("is cut off within an element");
         }
         const char next = text[at + 1];
         if (next == '/') {
             depth -= depth > 0 ? 1 : 0;
         } else if (next != '!' && next != '?' && text[end - 1] != '/' &&
                    ++depth > kDeepestElement) {
-            return fail(fmt::format("more than {} elements inside one another", kDeepestElement));
+            return fail(
+                fmt::format("has more than {} elements inside one another", kDeepestElement));
         }
     }
     return {};
@@ -130,11 +131,11 @@ Expected<void> check_numbers(std::string_view text) {
     for (std::size_t at = text.find("<p>"); at < text.size(); at = text.find("<p>", at + 1)) {
         const std::string_view list = text.substr(at, text.find('<', at + 1) - at);
         if (list.find('-') != std::string_view::npos) {
-            return fail("a corner with a negative number");
+            return fail("has a corner with a negative number");
         }
     }
     if (text.find("stride=\"0\"") != std::string_view::npos) {
-        return fail("a source with stride 0");
+        return fail("has a source with stride 0");
     }
     return {};
 }
@@ -147,7 +148,7 @@ Expected<std::string> mended_collada(std::string_view bytes) {
         return fail(text.error());
     }
     if (text->find("<COLLADA") == std::string::npos || text->find('\0') != std::string::npos) {
-        return fail("no Collada");
+        return fail("is not Collada");
     }
     if (text->find("<!ENTITY") != std::string::npos) {
         return fail("it defines entities of its own, which are not read");

@@ -42,7 +42,7 @@ Expected<Document> take_apart(std::string_view bytes) {
             return std::size_t{value};
         };
         if (bytes.size() < kHead + kChunkHead || word(kHead) > bytes.size() - kHead - kChunkHead) {
-            return fail("the container is cut");
+            return fail("is cut off");
         }
         text = bytes.substr(kHead + kChunkHead, word(kHead));
         const std::size_t next = kHead + kChunkHead + text.size();
@@ -52,7 +52,7 @@ Expected<Document> take_apart(std::string_view bytes) {
     }
     Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) {
-        return fail("no glTF: its JSON cannot be read");
+        return fail("is not glTF: its JSON cannot be read");
     }
     return Document{std::move(json), binary};
 }
@@ -75,7 +75,7 @@ Expected<std::string> one_buffer(Document& document, const ImportWays& ways) {
             all += document.binary;
         }
         if (all.size() > kMostBytes) {
-            return fail("more than 512 MB of buffers");
+            return fail("has more than 512 MB of buffers");
         }
     }
     if (document.json.contains("bufferViews")) {
@@ -84,7 +84,7 @@ Expected<std::string> one_buffer(Document& document, const ImportWays& ways) {
             const std::size_t length = view.at("byteLength").get<std::size_t>();
             const std::size_t start = starts.at(view.at("buffer").get<std::size_t>());
             if (offset > all.size() - start || length > all.size() - start - offset) {
-                return fail("a view that lies outside its buffer");
+                return fail("has a bufferView that lies outside of its buffer");
             }
             view["byteOffset"] = start + offset;
             view["buffer"] = 0;
@@ -192,7 +192,7 @@ class Unpacker {
         if (primitive.at("extensions").empty()) {
             primitive.erase("extensions");
         }
-        return glb_.binary().size() > kMostBytes ? fail("more than 512 MB unpacked")
+        return glb_.binary().size() > kMostBytes ? fail("has more than 512 MB when it is unpacked")
                                                  : Expected<void>();
     }
 
@@ -271,7 +271,7 @@ Expected<std::string> unpack_draco(const std::string& bytes, const ImportWays& w
         return Unpacker(std::move(document->json), std::move(*binary)).run();
     } catch (const Json::exception&) {
         // What is missing or of another type is told by no more than this.
-        return fail("no glTF that Draco has packed: a part of it is missing or no such part");
+        return fail("is not glTF that Draco has packed: a part of it is missing or damaged");
     }
 }
 

@@ -15,7 +15,7 @@ constexpr std::uint32_t kOldest = 6100;
 constexpr std::uint32_t kNewest = 7900;
 
 tl::unexpected<Error> damaged(std::size_t offset, const char* what) {
-    return fail(fmt::format("damaged: the record at byte {} {}", offset, what));
+    return fail(fmt::format("is damaged: the record at byte {} {}", offset, what));
 }
 
 /// The records of a file.
@@ -32,7 +32,7 @@ class RecordWalk {
                 continue;
             }
             if (records_.head_bytes() > limit - at) {
-                return damaged(at, "is cut");
+                return damaged(at, "is cut off");
             }
             const FbxRecord record = records_.record_at(at);
             if (record.end == 0) {
@@ -70,7 +70,7 @@ class RecordWalk {
         for (std::uint64_t i = 0; i < record.properties; ++i) {
             const std::uint64_t size = at < end ? records_.property_bytes(at, end) : 0;
             if (size == 0) {
-                return damaged(at, "has properties that are none");
+                return damaged(at, "has properties of an unknown type");
             }
             at += static_cast<std::size_t>(size);
         }
@@ -99,13 +99,14 @@ Expected<void> check_braces(std::string_view text) {
         } else if (c == '{') {
             ++depth;
         } else if (c == '}' && depth-- == 0) {
-            return fail("damaged: a brace closes that was not opened");
+            return fail("is damaged: a brace closes that was not opened");
         }
         if (depth > kDeepestRecord) {
-            return fail("damaged: too many braces inside one another");
+            return fail("is damaged: too many braces inside one another");
         }
     }
-    return depth == 0 && !is_text ? Expected<void>() : fail("cut: a brace or a text is not closed");
+    return depth == 0 && !is_text ? Expected<void>()
+                                  : fail("is cut off: a brace or a text is not closed");
 }
 
 }  // namespace
@@ -113,7 +114,7 @@ Expected<void> check_braces(std::string_view text) {
 Expected<void> check_fbx(std::string_view bytes) {
     if (is_binary_fbx(bytes)) {
         if (bytes.size() < kFbxHead) {
-            return fail("cut within its head");
+            return fail("is cut off within its header; copy it again");
         }
         const std::uint32_t version = fbx_version(bytes);
         if (version < kOldest || version > kNewest) {
@@ -124,7 +125,7 @@ Expected<void> check_fbx(std::string_view bytes) {
     }
     if (bytes.find("FBXHeaderExtension") == std::string_view::npos ||
         bytes.find('\0') != std::string_view::npos) {
-        return fail("no FBX");
+        return fail("is not FBX");
     }
     return check_braces(bytes);
 }

@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
     try {
         if (!is_caged(is_to_be_caged)) {
             say(ImportKind::note,
-                "read without a filter of system calls, which this kernel has not (seccomp)");
+                "it is read without protection against damaged files: this kernel refuses seccomp");
         }
         serve(argv[1]);
     } catch (const std::bad_alloc&) {

@@ -116,10 +116,10 @@ std::string fault_of_face(std::string_view line, const Counts& counts) {
     for (std::string_view corner = next_word(line); !corner.empty() && corner.front() != '#';
          corner = next_word(line)) {
         if (!is_good_corner(corner, counts)) {
-            return fmt::format("\"{}\" is no corner that is there", printable(corner, 40));
+            return fmt::format("\"{}\" names a corner that does not exist", printable(corner, 40));
         }
         if (++corners > kMostCorners) {
-            return fmt::format("a face of more than {} corners", kMostCorners);
+            return fmt::format("has a face of more than {} corners", kMostCorners);
         }
     }
     return {};
@@ -129,7 +129,7 @@ std::string fault_of_face(std::string_view line, const Counts& counts) {
 
 Expected<void> check_obj(std::string_view text) {
     if (text.find('\0') != std::string_view::npos) {
-        return fail("no OBJ: it is no text");
+        return fail("is not OBJ: it is not text");
     }
     Counts counts;
     Lines lines(text);
@@ -140,7 +140,7 @@ Expected<void> check_obj(std::string_view text) {
         std::string fault;
         if (word == "v") {
             ++counts.of[0];
-            fault = is_good_vertex(line) ? "" : "a vertex that is no point";
+            fault = is_good_vertex(line) ? "" : "is a vertex without three numbers";
         } else if (word == "vt") {
             ++counts.of[1];
         } else if (word == "vn") {
@@ -152,7 +152,7 @@ Expected<void> check_obj(std::string_view text) {
             return fail(fmt::format("line {}: {}", lines.number(), fault));
         }
     }
-    return counts.of[0] > 0 ? Expected<void>() : fail("no OBJ: there are no vertices in it");
+    return counts.of[0] > 0 ? Expected<void>() : fail("is not OBJ: there are no vertices in it");
 }
 
 }  // namespace raks::engine

@@ -81,7 +81,7 @@ class ClipImport {
         }
         if (lost_ > 0) {
             import_.ways.note(
-                fmt::format("{} tracks of its clips move nothing that is there", lost_));
+                fmt::format("{} tracks of its clips move nodes that do not exist", lost_));
         }
     }
 

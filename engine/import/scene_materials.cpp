@@ -138,7 +138,7 @@ class MaterialImport {
             if (inside->mHeight == 0) {
                 return {reinterpret_cast<const char*>(inside->pcData), inside->mWidth};
             }
-            import_.ways.note("a picture of plain pixels in it is left out");
+            import_.ways.note("a picture stored in it as plain pixels is left out");
             return {};
         }
         std::string why;
@@ -168,7 +168,7 @@ class MaterialImport {
         auto packed = packed_picture(path, std::as_bytes(std::span(bytes.data(), bytes.size())));
         if (!packed) {
             import_.ways.note(fmt::format(
-                "picture \"{}\" left out: {}", printable(path, 80), packed.error().message));
+                "picture \"{}\" left out: it {}", printable(path, 80), packed.error().message));
             return -1;
         }
         render::ModelImage image;

@@ -269,7 +269,7 @@ class MeshImport {
             const aiFace& face = source.mFaces[f];
             for (unsigned corner = 0; face.mNumIndices == 3 && corner < 3; ++corner) {
                 if (face.mIndices[corner] >= source.mNumVertices) {
-                    return fail(fmt::format("face {} has no such corner", f));
+                    return fail(fmt::format("face {} has a corner that does not exist", f));
                 }
                 primitive.indices.push_back(face.mIndices[corner]);
             }

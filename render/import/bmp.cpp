@@ -138,14 +138,14 @@ void read_rows(std::span<const std::byte> rows,
 Expected<Image> read_bmp(std::span<const std::byte> bytes) {
     const BmpHead head = bmp_head_of(bytes);
     if (head.head_bytes != kOldHead && head.head_bytes < kUsualHead) {
-        return fail("a BMP without a head");
+        return fail("is a BMP without a header");
     }
     const bool is_known = head.bits == 1 || head.bits == 4 || head.bits == 8 || head.bits == 16 ||
                           head.bits == 24 || head.bits == 32;
     const bool can_have_masks = head.bits == 16 || head.bits == 32;
     if (!is_known || (head.packing != kPlain && !(head.packing == kByMasks && can_have_masks))) {
         return fail(fmt::format(
-            "a BMP of {} bits, packing {}: it is read unpacked alone", head.bits, head.packing));
+            "is a BMP of {} bits, packed in way {}; save it unpacked", head.bits, head.packing));
     }
     auto image = blank_picture(head.width, head.height);
     if (!image) {
@@ -154,7 +154,7 @@ Expected<Image> read_bmp(std::span<const std::byte> bytes) {
     const std::size_t row_bytes = (static_cast<std::size_t>(head.width) * head.bits + 31) / 32 * 4;
     const std::size_t all = row_bytes * static_cast<std::size_t>(head.height);
     if (head.pixels_at > bytes.size() || all > bytes.size() - head.pixels_at) {
-        return fail("a BMP that is cut");
+        return fail("is a BMP that is cut off");
     }
     read_rows(bytes.subspan(head.pixels_at, all), row_bytes, bytes, head, *image);
     return image;

@@ -54,7 +54,7 @@ Expected<Model> read_foreign_model(std::string_view format,
     auto model = read_gltf(std::as_bytes(std::span(imported->glb.data(), imported->glb.size())),
                            format == "draco" ? side : SideFiles());
     if (!model) {
-        return fail(fmt::format("as glTF: {}", model.error().message));
+        return fail(fmt::format("read as glTF: {}", model.error().message));
     }
     model->format = name_of(format);
     model->warnings.insert(model->warnings.begin(), imported->notes.begin(), imported->notes.end());

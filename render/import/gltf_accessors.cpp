@@ -74,7 +74,7 @@ ComponentType component_of(const JsonField& field) {
             return static_cast<ComponentType>(i);
         }
     }
-    field.complain(fmt::format("{} is none that glTF has", code));
+    field.complain(fmt::format("{} is not a value that glTF knows", code));
     return ComponentType::float32;
 }
 
@@ -164,7 +164,7 @@ GltfAccessor GltfAccessors::read(const JsonField& field) {
     accessor.is_normalized = field["normalized"].truth_or(false);
     accessor.has_bounds = field["min"].exists() && field["max"].exists();
     if (accessor.is_normalized && info(accessor.component).largest == 1.0F) {
-        warn(model_, field.line("normalized, though not of small integers"));
+        warn(model_, field.line("is normalized, which only integers of 8 or 16 bits can be"));
     }
     if (accessor.view >= 0 && buffers_.view_count() > 0) {
         check_range(field,
@@ -174,7 +174,7 @@ GltfAccessor GltfAccessors::read(const JsonField& field) {
                     accessor.element,
                     accessor.component);
     } else if (accessor.view < 0 && field["byteOffset"].exists()) {
-        warn(model_, field.line("byteOffset without bufferView"));
+        warn(model_, field.line("has a byteOffset, but no bufferView"));
     }
     if (const JsonField sparse = field["sparse"]; sparse.exists()) {
         read_sparse(accessor, sparse);
@@ -192,7 +192,7 @@ void GltfAccessors::read_sparse(GltfAccessor& accessor, const JsonField& field) 
     if (sparse.index_component != ComponentType::uint8 &&
         sparse.index_component != ComponentType::uint16 &&
         sparse.index_component != ComponentType::uint32) {
-        indices["componentType"].complain("indices are unsigned integers");
+        indices["componentType"].complain("must be a type of unsigned integers");
     }
     const auto place = [&](const JsonField& part, int& view, std::uint64_t& offset) {
         view = part["bufferView"].index(buffers_.view_count());
@@ -218,7 +218,9 @@ void GltfAccessors::read_sparse(GltfAccessor& accessor, const JsonField& field) 
                 accessor.component);
     for (const int view : {sparse.index_view, sparse.value_view}) {
         if (buffers_.stride(view) != 0) {
-            warn(model_, field.line("a view with byteStride"));
+            warn(
+                model_,
+                field.line("its bufferView has a byteStride, which is allowed for vertices alone"));
         }
     }
 }
@@ -234,8 +236,8 @@ void GltfAccessors::check_range(const JsonField& field,
     const std::size_t size = element_size(element, component);
     const std::size_t stride = buffers_.stride(view) != 0 ? buffers_.stride(view) : size;
     if (stride < size) {
-        field.complain(
-            fmt::format("elements of {} bytes, {} bytes apart", size, buffers_.stride(view)));
+        field.complain(fmt::format(
+            "its elements of {} bytes lie {} bytes apart", size, buffers_.stride(view)));
         return;
     }
     // Both factors are below 2^30, so that nothing wraps.
@@ -307,8 +309,8 @@ bool GltfAccessors::apply_sparse(const GltfAccessor& accessor, std::vector<T>& n
         const auto index = component_at<std::uint32_t>(
             indices.data() + sparse.index_offset + i * index_size, sparse.index_component);
         if (index >= accessor.count || static_cast<std::int64_t>(index) <= last) {
-            accessor.field["sparse"]["indices"].complain(
-                fmt::format("[{}] is {}, behind {} and of {}", i, index, last, accessor.count));
+            accessor.field["sparse"]["indices"].complain(fmt::format(
+                "[{}] is {}, must be above {} and below {}", i, index, last, accessor.count));
             return false;
         }
         last = index;
@@ -343,7 +345,7 @@ void GltfAccessors::check_bounds(const GltfAccessor& accessor, const std::vector
     const std::vector<float> least = accessor.field["min"].numbers(16);
     const std::vector<float> most = accessor.field["max"].numbers(16);
     if (least.size() != per_element || most.size() != per_element) {
-        warn(model_, accessor.field.line("min and max of another size"));
+        warn(model_, accessor.field.line("its min and max have too few or too many numbers"));
         return;
     }
     std::vector<float> low(numbers.begin(),
@@ -361,7 +363,7 @@ void GltfAccessors::check_bounds(const GltfAccessor& accessor, const std::vector
             1e-3F * (high[c] - low[c]) + 1e-4F * std::max(std::abs(low[c]), std::abs(high[c]));
         if (std::abs(low[c] - least[c]) > slack + 1e-6F ||
             std::abs(high[c] - most[c]) > slack + 1e-6F) {
-            warn(model_, accessor.field.line("min and max are not those of its numbers"));
+            warn(model_, accessor.field.line("its min and max differ from its numbers"));
             return;
         }
     }
@@ -390,7 +392,7 @@ std::vector<std::uint32_t> GltfAccessors::wholes(int index) {
     GltfAccessor& accessor = accessors_[static_cast<std::size_t>(index)];
     if (accessor.component != ComponentType::uint8 && accessor.component != ComponentType::uint16 &&
         accessor.component != ComponentType::uint32) {
-        accessor.field["componentType"].complain("unsigned integers are needed");
+        accessor.field["componentType"].complain("must be a type of unsigned integers");
         return {};
     }
     return raw<std::uint32_t>(accessor);
@@ -405,24 +407,25 @@ void GltfAccessors::use(int index, ViewUse use) {
     const bool has_stride = stride != 0;
     const std::int64_t target = buffers_.target(accessor.view);
     if (target != 0 && target != (use == ViewUse::indices ? 34963 : 34962)) {
-        warn(model_, accessor.field.line("its view is said to be for something else"));
+        warn(model_, accessor.field.line("its bufferView has the target of something else"));
     }
     if (use == ViewUse::vertices &&
         (accessor.offset % 4 != 0 ||
          (has_stride ? stride : element_size(accessor.element, accessor.component)) % 4 != 0)) {
-        warn(model_, accessor.field.line("vertices that do not begin at multiples of 4 bytes"));
+        warn(model_, accessor.field.line("its vertices do not begin at multiples of 4 bytes"));
     }
     auto& first = uses_[static_cast<std::size_t>(accessor.view)];
     if (!first) {
         first = {use, index};
         if (has_stride && use != ViewUse::vertices) {
             warn(model_,
-                 accessor.field.line("its view has a byteStride, which only vertices have"));
+                 accessor.field.line(
+                     "its bufferView has a byteStride, which is allowed for vertices alone"));
         }
     } else if (first->first != use) {
-        warn(model_, accessor.field.line("its view is used for something else, too"));
+        warn(model_, accessor.field.line("its bufferView is used for something else, too"));
     } else if (first->second != index && use == ViewUse::vertices && !has_stride) {
-        warn(model_, accessor.field.line("shares its view, which has no byteStride"));
+        warn(model_, accessor.field.line("shares its bufferView, which has no byteStride"));
     }
 }
 

@@ -44,7 +44,7 @@ class AnimationReader {
         }
         const std::vector<JsonField> channels = field["channels"].objects(kMostChannels);
         if (samplers.empty() || channels.empty()) {
-            field.complain("without samplers or channels");
+            field.complain("has no samplers or no channels");
             return animation;
         }
         std::set<std::pair<int, ChannelPath>> taken;
@@ -54,7 +54,7 @@ class AnimationReader {
                 continue;
             }
             if (!taken.emplace(read->node, read->path).second) {
-                warn(model_, channel.line("moves what another one moves, left out"));
+                warn(model_, channel.line("moves the same thing as another channel; left out"));
                 continue;
             }
             animation.channels.push_back(std::move(*read));
@@ -82,13 +82,13 @@ class AnimationReader {
         accessors_.use(sampler.times, ViewUse::animation);
         accessors_.use(sampler.values, ViewUse::animation);
         if (times.element != ElementType::scalar || times.component != ComponentType::float32) {
-            sampler.field["input"].complain("times are SCALAR of floats");
+            sampler.field["input"].complain("must be floats of type SCALAR");
         }
         if (!times.has_bounds) {
-            warn(model_, times.field.line("times without min and max"));
+            warn(model_, times.field.line("its times have no min and max"));
         }
         if (sampler.interpolation == Interpolation::cubic && times.count < 2) {
-            warn(model_, sampler.field.line("CUBICSPLINE of a single time"));
+            warn(model_, sampler.field.line("has CUBICSPLINE with a single time"));
         }
     }
 
@@ -125,7 +125,7 @@ class AnimationReader {
         const ModelNode& node = model_.nodes[static_cast<std::size_t>(channel.node)];
         if (has_matrix_[static_cast<std::size_t>(channel.node)] &&
             channel.path != ChannelPath::weights) {
-            warn(model_, field.line("moves a node that has a matrix"));
+            warn(model_, field.line("moves a node that has a matrix, which glTF does not allow"));
         }
         const bool is_weights = channel.path == ChannelPath::weights;
         const ElementType wanted = is_weights                              ? ElementType::scalar
@@ -138,7 +138,7 @@ class AnimationReader {
             return 0;
         }
         if (values.component != ComponentType::float32 && !values.is_normalized) {
-            warn(model_, values.field.line("values of integers that are not normalized"));
+            warn(model_, values.field.line("its values are integers that are not normalized"));
         }
         if (!is_weights) {
             return GltfAccessors::width(wanted);
@@ -147,7 +147,7 @@ class AnimationReader {
             node.mesh < 0 ? 0
                           : model_.meshes[static_cast<std::size_t>(node.mesh)].morph_weights.size();
         if (morphs == 0) {
-            warn(model_, field.line("moves morph targets of a node that has none, left out"));
+            warn(model_, field.line("moves morph targets of a node that has none; left out"));
         }
         return morphs;
     }
@@ -180,11 +180,11 @@ class AnimationReader {
     /// Whether they can be played: rising. What is odd is said.
     bool are_times(const std::vector<float>& times, const Sampler& sampler) {
         if (!std::is_sorted(times.begin(), times.end())) {
-            warn(model_, sampler.field["input"].line("times that fall, left out"));
+            warn(model_, sampler.field["input"].line("its times fall; left out"));
             return false;
         }
         if (times.front() < 0.0F || std::adjacent_find(times.begin(), times.end()) != times.end()) {
-            warn(model_, sampler.field["input"].line("times below 0 or twice the same"));
+            warn(model_, sampler.field["input"].line("has times below 0, or one time twice"));
         }
         return true;
     }
@@ -204,7 +204,7 @@ class AnimationReader {
             }
         }
         if (is_odd) {
-            warn(model_, field.line("rotations that are not of length 1"));
+            warn(model_, field.line("has rotations that are not of length 1"));
         }
     }
 

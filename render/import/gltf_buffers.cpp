@@ -44,9 +44,9 @@ void GltfBuffers::read_buffers(const JsonField& list) {
             const std::size_t size = file_.binary ? file_.binary->size() : 0;
             if (size < buffer.length) {
                 field.complain(
-                    fmt::format("{} bytes long, but the file holds {}", buffer.length, size));
+                    fmt::format("is {} bytes long, but the file holds {}", buffer.length, size));
             } else if (size > buffer.length + 3) {
-                warn(model_, field.line("shorter than the bytes in the file"));
+                warn(model_, field.line("is shorter than the bytes in the file"));
             }
         }
         buffers_.push_back(std::move(buffer));
@@ -110,10 +110,12 @@ GltfBuffers::Packed GltfBuffers::read_packed(const JsonField& field, const View&
     check_range(field, packed.buffer, packed.offset, packed.length);
     packed.is_good = mode < kModes && filter < kFilters && can_be_unpacked(how);
     if (!packed.is_good) {
-        field.complain("mode, filter, stride and count do not fit");
+        field.complain("its mode, filter, byteStride and count do not fit together");
     } else if (how.row_bytes * how.rows != view.length) {
-        field.complain(
-            fmt::format("{} x {} bytes for a view of {}", how.rows, how.row_bytes, view.length));
+        field.complain(fmt::format("unpacks to {} x {} bytes, but is {} bytes long",
+                                   how.rows,
+                                   how.row_bytes,
+                                   view.length));
     }
     return packed;
 }
@@ -147,8 +149,8 @@ std::span<const std::byte> GltfBuffers::fetch(int index, const JsonField& user) 
         buffer.bytes = buffer.own;
     }
     if (buffer.bytes.size() < buffer.length) {
-        buffer.field.complain(
-            fmt::format("says {} bytes and has {}", buffer.length, buffer.bytes.size()));
+        buffer.field.complain(fmt::format(
+            "says that it has {} bytes, but has {}", buffer.length, buffer.bytes.size()));
         buffer.bytes = {};
     }
     return buffer.bytes;
@@ -191,7 +193,7 @@ std::span<const std::byte> GltfBuffers::unpack(Packed& packed, const JsonField& 
         return {};  // noted when the view was read
     }
     if (!budget_.claim(packed.how.rows, packed.how.row_bytes)) {
-        user.complain("unpacks to too much");
+        user.complain("is too large when it is unpacked");
         return {};
     }
     std::vector<std::byte> out(static_cast<std::size_t>(packed.how.rows * packed.how.row_bytes));

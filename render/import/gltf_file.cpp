@@ -59,15 +59,16 @@ Expected<JsonDocument> parse_json(std::string_view text, Model& model) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.substr(0, kMark.size()) == kMark) {
         text.remove_prefix(kMark.size());
-        warn(model, "a byte-order mark before the JSON");
+        warn(model, "has a byte-order mark before its JSON");
     }
     if (!text.empty() && text.back() == '\0') {
         text = text.substr(0, text.find_last_not_of('\0') + 1);
-        warn(model, "zero bytes behind the JSON");
+        warn(model, "has zero bytes after its JSON");
     }
     if (text.size() > kLongestJson) {
-        return fail(fmt::format("JSON of more than {} MiB; keep buffers and images beside it",
-                                kLongestJson >> 20U));
+        return fail(fmt::format(
+            "its JSON is larger than {} MiB; keep buffers and images in files beside it",
+            kLongestJson >> 20U));
     }
     return JsonDocument::parse(text);
 }
@@ -85,13 +86,14 @@ Expected<void> take_chunk(Chunks& chunks,
                           std::uint32_t type,
                           std::span<const std::byte> bytes) {
     if ((order == 0) != (type == kJson)) {
-        return fail(order == 0 ? "the first chunk is not JSON" : "two chunks of JSON");
+        return fail(order == 0 ? "its first chunk is not JSON; export it again"
+                               : "has two chunks of JSON; export it again");
     }
     if (type == kJson) {
         chunks.json = bytes;
     } else if (type == kBinary) {
         if (order != 1) {
-            return fail("a BIN chunk that is not the second one");
+            return fail("its BIN chunk is not the second one; export it again");
         }
         chunks.binary = bytes;
     }
@@ -103,17 +105,20 @@ Expected<Chunks> read_chunks(std::span<const std::byte> body) {
     std::size_t order = 0;
     for (std::size_t at = 0; at < body.size(); ++order) {
         if (body.size() - at < kChunkHeader) {
-            return fail("cut within the head of a chunk");
+            return fail("is cut off within the header of a chunk; copy it again");
         }
         const std::size_t length = word_at(body, at);
         const std::uint32_t type = word_at(body, at + 4);
         at += kChunkHeader;
         if (length > body.size() - at) {
             return fail(
-                fmt::format("a chunk says {} bytes, {} are left; cut?", length, body.size() - at));
+                fmt::format("a chunk says that it has {} bytes, but only {} are left: it is cut "
+                            "off; copy it again",
+                            length,
+                            body.size() - at));
         }
         if (length % 4 != 0) {
-            return fail("a chunk's length is not a multiple of 4");
+            return fail("the length of a chunk is not a multiple of 4; export it again");
         }
         if (auto ok = take_chunk(chunks, order, type, body.subspan(at, length)); !ok) {
             return fail(ok.error());
@@ -121,31 +126,34 @@ Expected<Chunks> read_chunks(std::span<const std::byte> body) {
         at += length;
     }
     if (!chunks.json || chunks.json->empty()) {
-        return fail("no JSON in it");
+        return fail("has no JSON in it");
     }
     return chunks;
 }
 
 Expected<GltfFile> open_container(std::span<const std::byte> file, Model& model) {
     if (file.size() < kHeader) {
-        return fail("cut within its head");
+        return fail("is cut off within its header; copy it again");
     }
     if (const std::uint32_t version = word_at(file, 4); version != 2) {
-        return fail(fmt::format("a container of version {}, not 2", version));
+        return fail(fmt::format("is a GLB file of version {}, not 2", version));
     }
     const std::size_t length = word_at(file, 8);
     if (length < kHeader || length > file.size()) {
-        return fail(fmt::format("says {} bytes and has {}; cut?", length, file.size()));
+        return fail(
+            fmt::format("says that it has {} bytes, but has {}: it is cut off; copy it again",
+                        length,
+                        file.size()));
     }
     if (length < file.size()) {
-        warn(model, fmt::format("{} bytes behind its end", file.size() - length));
+        warn(model, fmt::format("has {} bytes after its end", file.size() - length));
     }
     const auto chunks = read_chunks(file.subspan(kHeader, length - kHeader));
     if (!chunks) {
         return fail(chunks.error());
     }
     if (chunks->binary && chunks->binary->empty()) {
-        warn(model, "an empty BIN chunk");
+        warn(model, "has an empty BIN chunk");
     }
     auto json = parse_json(text_of(*chunks->json), model);
     if (!json) {
@@ -172,21 +180,21 @@ std::optional<std::pair<int, int>> version_of(std::string_view text) {
 
 void check_version(const JsonField& asset, Model& model) {
     if (!asset.is_object()) {
-        asset.complain("is missing or no object: not glTF 2.0");
+        asset.complain("is missing or not an object: this is not glTF 2.0");
         return;
     }
     constexpr std::pair kOurs{2, 0};
     const auto version = version_of(asset["version"].text());
     if (!version) {
-        asset["version"].complain("is no version");
+        asset["version"].complain("is not a version, such as 2.0");
         return;
     }
     const JsonField least = asset["minVersion"];
     const auto needed = least.exists() ? version_of(least.text()) : kOurs;
     if (version->first != 2 || !needed || *needed > std::max(kOurs, *version)) {
-        asset.complain("not of glTF 2.0");
+        asset.complain("is not of glTF 2.0; export it as that");
     } else if (*version != kOurs || *needed != kOurs) {
-        warn(model, asset.line("newer than glTF 2.0; read as 2.0"));
+        warn(model, asset.line("is newer than glTF 2.0; read as 2.0"));
     }
 }
 
@@ -195,7 +203,7 @@ std::set<std::string_view> names_in(const JsonField& list, Model& model) {
     std::set<std::string_view> names;
     for (const JsonField& item : list.items()) {
         if (!names.insert(item.text()).second) {
-            warn(model, item.line("stands twice"));
+            warn(model, item.line("is listed twice"));
         }
     }
     return names;
@@ -212,7 +220,7 @@ Expected<GltfFile> open_gltf(std::span<const std::byte> file, Model& model) {
     }
     auto json = parse_json(text_of(file), model);
     if (!json) {
-        return fail(fmt::format("no glTF: {}", json.error().message));
+        return fail(fmt::format("is not glTF, as it {}", json.error().message));
     }
     return GltfFile{.json = std::move(*json),
                     .binary = std::nullopt,
@@ -226,18 +234,20 @@ void check_gltf_needs(const JsonField& root, Model& model) {
     for (const std::string_view name : names_in(root["extensionsRequired"], model)) {
         if (std::find(kExtensions.begin(), kExtensions.end(), name) == kExtensions.end()) {
             root["extensionsRequired"].complain(fmt::format(
-                "it needs {}, which is not read; export it without", printable(name, 80)));
+                "it needs the extension {}, which Raks does not read; export it without",
+                printable(name, 80)));
         }
         if (used.count(name) == 0) {
-            warn(model, fmt::format("needs {}, but does not say that it uses it", name));
+            warn(model,
+                 fmt::format("needs the extension {}, which is missing from extensionsUsed", name));
         }
     }
     for (const auto& [name, extension] : root["extensions"].entries()) {
         if (used.count(name) == 0) {
-            warn(model, extension.line("not named in extensionsUsed"));
+            warn(model, extension.line("is missing from extensionsUsed"));
         }
         if (!extension.is_object()) {
-            warn(model, extension.line("is no object"));
+            warn(model, extension.line("is not an object"));
         }
     }
 }

@@ -29,17 +29,18 @@ std::vector<std::byte> packed_image(const JsonField& field,
     const JsonField uri = field["uri"];
     if (view.exists()) {
         if (uri.exists()) {
-            warn(model, field.line("both uri and bufferView; the latter is read"));
+            warn(model, field.line("has both uri and bufferView; bufferView is read"));
         }
         if (!field["mimeType"].exists()) {
-            warn(model, field.line("bufferView without mimeType"));
+            warn(model, field.line("has a bufferView, but no mimeType"));
         }
         const int index = view.index(buffers.view_count());
         if (buffers.view_count() == 0) {
             return {};  // noted
         }
         if (buffers.stride(index) != 0) {
-            warn(model, view.line("a view with byteStride"));
+            warn(model,
+                 view.line("its bufferView has a byteStride, which is allowed for vertices alone"));
         }
         const auto bytes = buffers.bytes(index, view);
         if (!budget.claim(bytes.size(), 1)) {
@@ -49,7 +50,7 @@ std::vector<std::byte> packed_image(const JsonField& field,
         return {bytes.begin(), bytes.end()};
     }
     if (!uri.exists()) {
-        field.complain("neither uri nor bufferView");
+        field.complain("has neither uri nor bufferView");
         return {};
     }
     const std::string_view where = uri.text();
@@ -78,7 +79,7 @@ ModelImage read_image(const JsonField& field,
     }
     const auto format = take_size(image);
     if (!format) {
-        warn(model, field.line(fmt::format("left out: {}", format.error().message)));
+        warn(model, field.line(fmt::format("left out: it {}", format.error().message)));
         return image;
     }
     const JsonField type = field["mimeType"];
@@ -101,7 +102,7 @@ TextureWrap wrap_of(const JsonField& field) {
         case 10497:
             return TextureWrap::repeat;
         default:
-            field.complain("is no way to repeat a texture");
+            field.complain("is not a way to repeat a texture that glTF knows");
             return TextureWrap::repeat;
     }
 }
@@ -132,7 +133,8 @@ void read_textures(const JsonField& root, Model& model) {
         if (texture.image < 0) {
             const bool has_other = field["extensions"].size() > 0;
             warn(model,
-                 field.line(has_other ? "its only image is of a kind that is not read"
+                 field.line(has_other ? "its only image is of a kind that Raks does not read (PNG, "
+                                        "JPEG and WebP are read)"
                                       : "has no image"));
         }
         model.textures.push_back(texture);
@@ -213,7 +215,9 @@ TextureUse read_texture_use(const JsonField& use, Model& model) {
         uv_set = transform["texCoord"].whole_or(uv_set, 0, 1'000);
     }
     if (uv_set > 1) {
-        warn(model, use.line(fmt::format("texCoord {}: drawn with 0", uv_set)));
+        warn(model,
+             use.line(
+                 fmt::format("has texCoord {}, of which 0 and 1 are known; drawn with 0", uv_set)));
         uv_set = 0;
     }
     texture.uv_set = static_cast<int>(uv_set);

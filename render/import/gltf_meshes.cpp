@@ -39,14 +39,14 @@ void even_out(ModelMesh& mesh, const JsonField& field, Model& model) {
     }
     for (ModelPrimitive& primitive : mesh.primitives) {
         if (primitive.morphs.size() != count) {
-            warn(model, field.line("primitives of unequal numbers of morph targets"));
+            warn(model, field.line("its primitives have unequal numbers of morph targets"));
             primitive.morphs.resize(count);
         }
     }
     if (!mesh.morph_weights.empty() && mesh.morph_weights.size() != count) {
-        warn(
-            model,
-            field.line(fmt::format("{} weights for {} targets", mesh.morph_weights.size(), count)));
+        warn(model,
+             field.line(fmt::format(
+                 "has {} weights for {} morph targets", mesh.morph_weights.size(), count)));
     }
     mesh.morph_weights.resize(count, 0.0F);
     mesh.morph_names.resize(count);

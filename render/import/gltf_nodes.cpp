@@ -17,18 +17,18 @@ namespace {
 
 constexpr std::size_t kMostNodes = 20'000;
 constexpr int kDeepest = 1'000;
-constexpr float kFarthestNode = 1e7F;  // translations and scales beyond are no figure
+constexpr float kFarthestNode = 1e7F;  // translations and scales beyond it are refused
 constexpr float kNodeSlack = 1e-3F;
 
 /// A rotation of length 1; identity for one of length 0, and not a number.
 glm::quat unit(const std::array<float, 4>& q, const JsonField& field, Model& model) {
     const float length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     if (!(length > 1e-6F && length < 1e6F)) {
-        warn(model, field.line("a rotation of length 0: none"));
+        warn(model, field.line("has a rotation of length 0, taken as none"));
         return {1.0F, 0.0F, 0.0F, 0.0F};
     }
     if (std::abs(length - 1.0F) > kNodeSlack) {
-        warn(model, field.line("a rotation that is not of length 1"));
+        warn(model, field.line("has a rotation that is not of length 1"));
     }
     return {q[3] / length, q[0] / length, q[1] / length, q[2] / length};
 }
@@ -44,7 +44,7 @@ void take_apart(const std::array<float, 16>& m,
         node.scale[axis] = glm::length(turn[axis]);
     }
     if (node.scale.x <= 0.0F || node.scale.y <= 0.0F || node.scale.z <= 0.0F) {
-        warn(model, field.line("a matrix without inverse: its rotation is lost"));
+        warn(model, field.line("has a matrix without inverse; its rotation is lost"));
         return;
     }
     if (glm::determinant(turn) < 0.0F) {
@@ -57,7 +57,7 @@ void take_apart(const std::array<float, 16>& m,
                                   std::abs(glm::dot(turn[1], turn[2])),
                                   std::abs(glm::dot(turn[0], turn[2]))});
     if (shear > kNodeSlack || m[3] != 0.0F || m[7] != 0.0F || m[11] != 0.0F || m[15] != 1.0F) {
-        warn(model, field.line("a matrix that is no translation, rotation and scale"));
+        warn(model, field.line("has a matrix that is more than translation, rotation and scale"));
     }
     node.rotation = glm::normalize(glm::quat_cast(turn));
 }
@@ -78,7 +78,7 @@ void read_transform(const JsonField& field, ModelNode& node, Model& model) {
     if (matrix.exists()) {
         if (field["translation"].exists() || field["rotation"].exists() ||
             field["scale"].exists()) {
-            warn(model, field.line("both matrix and translation, rotation, scale"));
+            warn(model, field.line("has both a matrix and translation, rotation or scale"));
         }
         take_apart(matrix.numbers_or<16>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}),
                    node,
@@ -86,10 +86,10 @@ void read_transform(const JsonField& field, ModelNode& node, Model& model) {
                    model);
     }
     if (!is_within(node.translation) || !is_within(node.scale)) {
-        field.complain(fmt::format("moved or scaled by more than {}", kFarthestNode));
+        field.complain(fmt::format("is moved or scaled by more than {}", kFarthestNode));
     }
     if (node.scale.x == 0.0F || node.scale.y == 0.0F || node.scale.z == 0.0F) {
-        warn(model, field.line("a scale of 0"));
+        warn(model, field.line("has a scale of 0"));
     }
 }
 
@@ -98,14 +98,16 @@ ModelNode read_node(const JsonField& field, std::size_t skins, std::size_t camer
     const std::string_view name = field["name"].text_or("");
     node.name = printable(name, 200);
     if (node.name != name) {
-        warn(model, field["name"].line("odd: shown in part"));
+        warn(model,
+             field["name"].line(
+                 "is too long for a line, or holds control characters; shown in part"));
     }
     read_transform(field, node, model);
     node.mesh = field["mesh"].index_or_none(model.meshes.size());
     node.skin = field["skin"].index_or_none(skins);
     (void)field["camera"].index_or_none(cameras);
     if (node.mesh < 0 && (node.skin >= 0 || field["weights"].exists())) {
-        warn(model, field.line("skin or weights without a mesh"));
+        warn(model, field.line("has a skin or weights, but no mesh"));
         node.skin = -1;
     }
     node.morph_weights = field["weights"].numbers(10'000);
@@ -114,8 +116,8 @@ ModelNode read_node(const JsonField& field, std::size_t skins, std::size_t camer
             model.meshes[static_cast<std::size_t>(node.mesh)].morph_weights.size();
         if (count != node.morph_weights.size()) {
             warn(model,
-                 field.line(
-                     fmt::format("{} weights for {} targets", node.morph_weights.size(), count)));
+                 field.line(fmt::format(
+                     "has {} weights for {} morph targets", node.morph_weights.size(), count)));
         }
         node.morph_weights.resize(count, 0.0F);
     }
@@ -124,13 +126,13 @@ ModelNode read_node(const JsonField& field, std::size_t skins, std::size_t camer
 
 void read_children(const JsonField& field, std::size_t index, Model& model) {
     if (field["children"].is_array() && field["children"].size() == 0) {
-        warn(model, field.line("an empty list of children"));
+        warn(model, field.line("has an empty list of children"));
     }
     for (const JsonField& item : field["children"].items(kMostNodes)) {
         const int child = item.index(model.nodes.size());
         ModelNode& node = model.nodes[static_cast<std::size_t>(child)];
         if (node.parent >= 0) {
-            item.complain(fmt::format("node {} has two parents", child));
+            item.complain(fmt::format("node {} has two parents, but may have one", child));
             return;
         }
         node.parent = static_cast<int>(index);
@@ -150,7 +152,7 @@ void check_is_forest(const JsonField& list, const Model& model) {
     for (; seen < open.size(); ++seen) {
         const auto [node, depth] = open[seen];
         if (depth > kDeepest) {
-            list.complain(fmt::format("more than {} nodes below one another", kDeepest));
+            list.complain(fmt::format("has more than {} nodes below one another", kDeepest));
             return;
         }
         for (const int child : model.nodes[static_cast<std::size_t>(node)].children) {
@@ -158,7 +160,7 @@ void check_is_forest(const JsonField& list, const Model& model) {
         }
     }
     if (seen != model.nodes.size()) {
-        list.complain("a node is its own ancestor");
+        list.complain("a node lies below itself");
     }
 }
 
@@ -184,15 +186,16 @@ void read_scene(const JsonField& root, Model& model) {
         for (const JsonField& item : scene["nodes"].items(kMostNodes)) {
             const int node = item.index(model.nodes.size());
             if (!model.nodes.empty() && model.nodes[static_cast<std::size_t>(node)].parent >= 0) {
-                item.complain(fmt::format("node {} is no root", node));
+                item.complain(
+                    fmt::format("node {} has a parent, so that it cannot be listed here", node));
             } else if (!seen.insert(node).second) {
-                warn(model, item.line("stands twice"));
+                warn(model, item.line("is listed twice"));
             } else {
                 roots.push_back(node);
             }
         }
         if (roots.empty()) {
-            warn(model, scene.line("an empty scene"));
+            warn(model, scene.line("is an empty scene"));
         }
         if (&scene == &scenes[static_cast<std::size_t>(std::max(shown, 0))]) {
             model.roots = roots;
@@ -209,7 +212,7 @@ void note_names(Model& model) {
         }
     }
     if (!twice.empty()) {
-        warn(model, fmt::format("nodes of one name, such as \"{}\"", twice));
+        warn(model, fmt::format("several nodes have one name, such as \"{}\"", twice));
     }
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostVertices = 2'000'000;
 constexpr std::size_t kMostMorphs = 5'000;
 constexpr std::size_t kMostSets = 4;  // of joints: 16 influences
-constexpr float kFarthest = 1e7F;     // a vertex beyond is no figure
+constexpr float kFarthest = 1e7F;     // a vertex beyond it is refused
 
 constexpr float kUnitSlack = 0.05F;  // of a squared length: what eight bits leave
 
@@ -68,11 +68,11 @@ std::optional<ModelPrimitive> PrimitiveReader::read(const JsonField& field, Mesh
         return std::nullopt;
     }
     if (mode < kTriangles) {
-        warn(model_, field.line("points or lines, left out"));
+        warn(model_, field.line("holds points or lines, not triangles; left out"));
         return std::nullopt;
     }
     if (!attributes["POSITION"].exists()) {
-        warn(model_, field.line("without positions, left out"));
+        warn(model_, field.line("has no positions; left out"));
         return std::nullopt;
     }
     read_attributes(attributes, primitive);
@@ -103,7 +103,7 @@ int PrimitiveReader::attribute(const JsonField& attributes,
         return -1;
     }
     if (count != 0 && accessor.count != count) {
-        field.complain(fmt::format("{} elements for {} vertices", accessor.count, count));
+        field.complain(fmt::format("has {} elements for {} vertices", accessor.count, count));
         return -1;
     }
     check_component(accessor, name);
@@ -115,18 +115,21 @@ int PrimitiveReader::attribute(const JsonField& attributes,
 void PrimitiveReader::check_component(const GltfAccessor& accessor, std::string_view name) {
     const bool is_float = accessor.component == ComponentType::float32;
     if (accessor.component == ComponentType::uint32) {
-        accessor.field.complain(fmt::format("{} of 32-bit integers", name));
+        accessor.field.complain(fmt::format("{} must not be of 32-bit integers", name));
     }
     if (name == "TANGENT" || name == "POSITION" || name == "NORMAL") {
         if (!is_float && !is_quantized_) {
-            warn(model_, accessor.field.line("integers without KHR_mesh_quantization"));
+            warn(model_,
+                 accessor.field.line(
+                     "holds integers, which need the extension KHR_mesh_quantization"));
         }
     } else if (!is_float && !accessor.is_normalized && name.substr(0, 6) != "JOINTS" &&
                name.substr(0, 8) != "TEXCOORD") {
-        accessor.field.complain(fmt::format("{} of integers that are not normalized", name));
+        accessor.field.complain(
+            fmt::format("{} must not be of integers that are not normalized", name));
     }
     if (name == "POSITION" && !accessor.has_bounds) {
-        warn(model_, accessor.field.line("positions without min and max"));
+        warn(model_, accessor.field.line("its positions have no min and max"));
     }
 }
 
@@ -138,12 +141,13 @@ void PrimitiveReader::read_attributes(const JsonField& attributes, ModelPrimitiv
     const std::size_t count = accessors_[positions].count;
     vertices_ += count;
     if (vertices_ > kMostVertices) {
-        attributes.complain(fmt::format("more than {} vertices in all", kMostVertices));
+        attributes.complain(fmt::format("there are more than {} vertices in all", kMostVertices));
         return;
     }
     primitive.positions = accessors_.elements<glm::vec3>(positions);
     if (std::any_of(primitive.positions.begin(), primitive.positions.end(), is_too_far)) {
-        attributes["POSITION"].complain(fmt::format("a vertex farther than {} away", kFarthest));
+        attributes["POSITION"].complain(
+            fmt::format("a vertex lies farther than {} away", kFarthest));
     }
     read_normals(attributes, primitive);
     constexpr std::string_view kUvSets[] = {"TEXCOORD_0", "TEXCOORD_1"};
@@ -179,7 +183,7 @@ void PrimitiveReader::read_normals(const JsonField& attributes, ModelPrimitive& 
         }
     }
     if (is_odd) {
-        warn(model_, attributes.line("normals or tangents that are not of length 1"));
+        warn(model_, attributes.line("has normals or tangents that are not of length 1"));
     }
 }
 
@@ -196,10 +200,10 @@ void PrimitiveReader::note_names(const JsonField& attributes) {
         if (is_numbered && number != "0") {
             const std::string before = fmt::format("{}_{}", stem, static_cast<char>(number[0] - 1));
             if (!attributes[before].exists()) {
-                warn(model_, field.line(fmt::format("without {}", before)));
+                warn(model_, field.line(fmt::format("is there, but {} is not", before)));
             }
         } else if (!is_plain && !is_numbered && name.substr(0, 1) != "_") {
-            warn(model_, field.line("an attribute that is not known"));
+            warn(model_, field.line("is not an attribute that glTF knows"));
         }
     }
 }
@@ -242,7 +246,7 @@ void PrimitiveReader::read_colours(const JsonField& attributes, ModelPrimitive& 
         colour = fit;
     }
     if (is_odd) {
-        warn(model_, attributes.line("colours that are not in 0 .. 1"));
+        warn(model_, attributes.line("has colours that are not in 0 .. 1"));
     }
 }
 
@@ -256,13 +260,14 @@ void PrimitiveReader::read_influences(const JsonField& attributes,
         const int joint = attribute(attributes, joint_name, {ElementType::vec4}, raw.vertices);
         const int weight = attribute(attributes, weight_name, {ElementType::vec4}, raw.vertices);
         if ((joint < 0) != (weight < 0)) {
-            attributes.complain(fmt::format("has one of {} and {} only", joint_name, weight_name));
+            attributes.complain(
+                fmt::format("has only one of {} and {}; both are needed", joint_name, weight_name));
         }
         if (joint < 0 || weight < 0) {
             break;
         }
         if (accessors_[joint].component == ComponentType::uint32) {
-            accessors_[joint].field.complain("joints are of 8 or 16 bits");
+            accessors_[joint].field.complain("must be integers of 8 or 16 bits, as joints are");
             return;
         }
         raw.joints.push_back(accessors_.wholes(joint));
@@ -283,10 +288,11 @@ void PrimitiveReader::read_influences(const JsonField& attributes,
             warn(model_, attributes.line(what));
         }
     };
-    note(faults.has_negative, "weights below 0, read as 0");
-    note(faults.has_none, "vertices without weight follow their first joint");
-    note(faults.has_other_sum, "weights that do not sum to 1, divided by their sum");
-    note(faults.has_more, "more than four joints a vertex: the four that weigh most are kept");
+    note(faults.has_negative, "has weights below 0, read as 0");
+    note(faults.has_none, "has vertices without weight, which follow their first joint");
+    note(faults.has_other_sum, "has weights that do not sum to 1, divided by their sum");
+    note(faults.has_more,
+         "has vertices with more than four joints, of which the four that weigh most are kept");
 }
 
 void PrimitiveReader::read_indices(const JsonField& field,
@@ -302,7 +308,7 @@ void PrimitiveReader::read_indices(const JsonField& field,
         }
     } else {
         if (accessors_[accessor].element != ElementType::scalar) {
-            accessors_[accessor].field.complain("indices are SCALAR");
+            accessors_[accessor].field.complain("must be SCALAR, as indices are");
             return;
         }
         accessors_.use(accessor, ViewUse::indices);
@@ -311,7 +317,7 @@ void PrimitiveReader::read_indices(const JsonField& field,
     const auto beyond = std::find_if(
         indices.begin(), indices.end(), [count](std::uint32_t index) { return index >= count; });
     if (beyond != indices.end()) {
-        field["indices"].complain(fmt::format("{} of {} vertices", *beyond, count));
+        field["indices"].complain(fmt::format("names vertex {}, but there are {}", *beyond, count));
         return;
     }
     if (mode != kTriangles) {
@@ -321,7 +327,7 @@ void PrimitiveReader::read_indices(const JsonField& field,
         }
         indices = taken_apart(indices, mode);
     } else if (indices.size() % 3 != 0) {
-        warn(model_, field.line("corners that make no whole triangle, left out"));
+        warn(model_, field.line("has corners left that make no whole triangle; left out"));
         indices.resize(indices.size() / 3 * 3);
     }
 }
@@ -332,7 +338,7 @@ void PrimitiveReader::read_morphs(const JsonField& field,
     for (const JsonField& target : field.objects(kMostMorphs)) {
         for (const auto& [name, moved] : target.entries()) {
             if (!attributes[name].exists()) {
-                warn(model_, moved.line("moves what the primitive has not"));
+                warn(model_, moved.line("moves something that the primitive does not have"));
             }
         }
         primitive.morphs.push_back(read_morph(target, primitive.positions.size()));

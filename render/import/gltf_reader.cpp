@@ -45,11 +45,11 @@ void note_left_out(const JsonField& root, Model& model) {
                                         "skins",
                                         "textures"}) {
         if (root[list].is_array() && root[list].size() == 0) {
-            warn(model, root[list].line("an empty list"));
+            warn(model, root[list].line("is an empty list"));
         }
     }
     if (model.meshes.empty() && model.animations.empty()) {
-        warn(model, "nothing to show in it");
+        warn(model, "there is nothing in it to draw");
     }
 }
 

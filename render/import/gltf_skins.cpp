@@ -27,11 +27,11 @@ std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
     const GltfAccessor& accessor = accessors[index];
     if (accessor.element != ElementType::mat4 || accessor.component != ComponentType::float32 ||
         accessor.count < joints) {
-        field.complain(fmt::format("not {} matrices of floats", joints));
+        field.complain(fmt::format("must be {} matrices of floats, one for each joint", joints));
         return matrices;
     }
     if (accessor.count > joints) {
-        warn(model, field.line("more matrices than joints"));
+        warn(model, field.line("has more matrices than joints"));
     }
     accessors.use(index, ViewUse::matrices);
     std::vector<glm::mat4> all = accessors.elements<glm::mat4>(index);
@@ -41,7 +41,7 @@ std::vector<glm::mat4> read_inverse_binds(const JsonField& field,
         const float off = std::abs(matrix[0][3]) + std::abs(matrix[1][3]) + std::abs(matrix[2][3]) +
                           std::abs(matrix[3][3] - 1.0F);
         if (off > kSlack) {
-            warn(model, field.line("a matrix whose last row is not 0 0 0 1"));
+            warn(model, field.line("has a matrix whose last row is not 0 0 0 1"));
         }
         for (int column = 0; column < 4; ++column) {
             matrix[column][3] = column == 3 ? 1.0F : 0.0F;
@@ -99,19 +99,19 @@ void note_joints(const JsonField& field,
                  const NodeOrder& order,
                  Model& model) {
     if (std::set<int>(skin.joints.begin(), skin.joints.end()).size() != skin.joints.size()) {
-        warn(model, field["joints"].line("a joint stands twice"));
+        warn(model, field["joints"].line("a joint is listed twice"));
     }
     std::set<int> tops;
     for (const int joint : skin.joints) {
         tops.insert(order.top_of(joint));
     }
     if (tops.size() > 1) {
-        warn(model, field["joints"].line("without a common root"));
+        warn(model, field["joints"].line("its joints have no common root"));
     }
     const bool is_shown = std::any_of(
         model.roots.begin(), model.roots.end(), [&](int root) { return tops.count(root) > 0; });
     if (!is_shown) {
-        warn(model, field["joints"].line("not in the scene"));
+        warn(model, field["joints"].line("its joints are not in the scene"));
     }
     const JsonField skeleton = field["skeleton"];
     if (!skeleton.exists()) {
@@ -123,7 +123,7 @@ void note_joints(const JsonField& field,
                               return order.is_below(joint, static_cast<int>(top));
                           });
     if (!is_above) {
-        warn(model, skeleton.line("not above all joints"));
+        warn(model, skeleton.line("does not lie above all joints"));
     }
 }
 
@@ -169,20 +169,24 @@ void check_node(const JsonField& field,
     const auto mesh = static_cast<std::size_t>(node.mesh);
     if (node.skin < 0) {
         if (has_joints(model.meshes[mesh])) {
-            warn(model, field.line("a skinned mesh without a skin stands still"));
+            warn(model, field.line("its mesh has joints, but no skin moves them: it stands still"));
         }
         return;
     }
     if (!has_joints(model.meshes[mesh]) && !model.meshes[mesh].primitives.empty()) {
-        warn(model, field.line("a skin for a mesh without joints"));
+        warn(model, field.line("has a skin, but its mesh has no joints"));
     }
     const auto count =
         static_cast<int>(model.skins[static_cast<std::size_t>(node.skin)].joints.size());
     if (asked[mesh].used >= count) {
-        field.complain(fmt::format(
-            "meshes[{}] names joint {}, its skin has {}", mesh, asked[mesh].used, count));
+        field.complain(fmt::format("meshes[{}] names joint {}, but its skin has {} joints",
+                                   mesh,
+                                   asked[mesh].used,
+                                   count));
     } else if (asked[mesh].unused >= count) {
-        warn(model, field.line("its mesh names joints that its skin has not, without weight"));
+        warn(
+            model,
+            field.line("its mesh names joints that its skin does not have, though without weight"));
         drop_unused_joints(model.meshes[mesh], static_cast<std::size_t>(count));
     }
 }

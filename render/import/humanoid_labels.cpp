@@ -83,11 +83,12 @@ UniqueLines with_first_lines(std::string_view text, const std::string& file) {
         if (bone.empty() || is_new) {
             unique.text += line;
         } else {
-            unique.left_out.push_back(fmt::format("{}: line {}: {} is on line {} already; left out",
-                                                  file,
-                                                  number,
-                                                  bone,
-                                                  first->second));
+            unique.left_out.push_back(
+                fmt::format("{}: line {}: {} is on line {} already; this line is left out",
+                            file,
+                            number,
+                            bone,
+                            first->second));
         }
         unique.text += '\n';
         text.remove_prefix(std::min(line.size() + 1, text.size()));

@@ -68,7 +68,7 @@ HumanoidMap map_by_labels(Model& model, const BoneLabels& labels) {
         const auto* const same = std::find(map.nodes.begin(), map.nodes.end(), *node);
         if (same != map.nodes.end()) {
             warn(model,
-                 fmt::format("{}: {} and {} are one node; the latter is left out",
+                 fmt::format("{}: {} and {} are the same node; the second is left out",
                              labels.file,
                              motion::kBoneNames[static_cast<std::size_t>(same - map.nodes.begin())],
                              motion::kBoneNames[bone]));
@@ -113,7 +113,7 @@ void drop_upside_down(Model& model, HumanoidMap& map) {
         }
         if (is_below(model, map.nodes[static_cast<std::size_t>(parent)], node)) {
             warn(model,
-                 fmt::format("\"{}\" is no {}: it carries the {}; left out",
+                 fmt::format("\"{}\" cannot be the {}: it carries the {}; left out",
                              node_of(model, node).name,
                              motion::kBoneNames[static_cast<std::size_t>(bone)],
                              motion::kBoneNames[static_cast<std::size_t>(parent)]));
@@ -143,7 +143,9 @@ void check_sides(Model& model, HumanoidMap& map, std::span<const glm::mat4> worl
     const auto feet = feet_direction(model, map, world);
     if (feet && glm::dot(*feet, facing_of(map, places_of(world))) < -0.5F) {
         swap_sides(map);
-        warn(model, "its left lies on its right, as its feet point; left and right are swapped");
+        warn(model,
+             "by its feet it looks the other way: its left and right were named the wrong way "
+             "round and are swapped");
     }
 }
 
@@ -222,7 +224,7 @@ Expected<void> map_humanoid(Model& model, const BoneLabels* labels) {
     }
     const std::vector<glm::mat4> world = bind_world(model);
     if (trunk_lean(map, places_of(world)) > kMostLean) {
-        return fail("it does not stand upright: no figure on two legs");
+        return fail("it does not stand upright on two legs");
     }
     check_sides(model, map, world);
     humanoid = map;

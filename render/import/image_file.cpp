@@ -42,7 +42,7 @@ Expected<ImageHead> look_at_jpeg(std::span<const std::byte> bytes) {
         }
         at += 2 + big_endian(bytes, at + 2, 2);
     }
-    return fail("a JPEG that is cut");
+    return fail("is a JPEG that is cut off");
 }
 
 /// A number of `count` bytes, the lowest first.
@@ -69,7 +69,7 @@ Expected<ImageHead> look_at_webp(std::span<const std::byte> bytes) {
     const auto chunk = bytes.subspan(std::min<std::size_t>(bytes.size(), 12));
     if (begins_with(chunk, "VP8X") && bytes.size() >= kHead) {
         if ((little_endian(bytes, 20, 1) & kMoves) != 0) {
-            return fail("a moving WebP");
+            return fail("is a moving WebP, which is not read");
         }
         return head(little_endian(bytes, 24, 3) + 1, little_endian(bytes, 27, 3) + 1);
     }
@@ -82,7 +82,7 @@ Expected<ImageHead> look_at_webp(std::span<const std::byte> bytes) {
         little_endian(bytes, 23, 3) == kStart) {
         return head(little_endian(bytes, 26, 2) & kSide, little_endian(bytes, 28, 2) & kSide);
     }
-    return fail("a WebP that is cut or broken");
+    return fail("is a WebP that is cut off or damaged");
 }
 
 /// Whether all chunks of a PNG are there, up to its end.
@@ -106,13 +106,13 @@ Expected<ImageHead> look_by_format(std::span<const std::byte> bytes) {
     constexpr std::size_t kPngHead = 33;
     if (begins_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
         if (bytes.size() < kPngHead || !is_whole_png(bytes)) {
-            return fail("a PNG that is cut");
+            return fail("is a PNG that is cut off");
         }
         constexpr std::uint32_t kNoInt = 0x80000000U;
         const std::uint32_t width = big_endian(bytes, 16, 4);
         const std::uint32_t height = big_endian(bytes, 20, 4);
         if (width >= kNoInt || height >= kNoInt) {
-            return fail("a PNG of impossible size");
+            return fail("is a PNG of an impossible size");
         }
         return ImageHead{.format = ImageFormat::png,
                          .width = static_cast<int>(width),
@@ -125,7 +125,7 @@ Expected<ImageHead> look_by_format(std::span<const std::byte> bytes) {
         begins_with(bytes.subspan(8), "WEBP"sv)) {
         return look_at_webp(bytes);
     }
-    return fail("neither PNG nor JPEG nor WebP");
+    return fail("is neither PNG nor JPEG nor WebP");
 }
 
 /// Half as wide and high; of an odd side the last pixel stands for two.
@@ -162,7 +162,7 @@ Expected<ImageHead> look_at_image(std::span<const std::byte> packed) {
     }
     if (head->width < 1 || head->height < 1 || head->width > kLargestImageSide ||
         head->height > kLargestImageSide) {
-        return fail(fmt::format("{} x {} pixels; sides of 1 to {} are read",
+        return fail(fmt::format("has {} x {} pixels; sides of 1 to {} are read",
                                 head->width,
                                 head->height,
                                 kLargestImageSide));

@@ -308,7 +308,7 @@ int JsonField::index(std::size_t count) const {
     const std::int64_t number =
         whole(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
     if (number < 0 || static_cast<std::uint64_t>(number) >= count) {
-        complain(fmt::format("{} is not one of the {} that there are", number, count));
+        complain(fmt::format("{} does not exist: there are {}, counted from 0", number, count));
         return 0;
     }
     return static_cast<int>(number);
@@ -363,7 +363,7 @@ std::size_t JsonField::choice_or(std::size_t otherwise,
     const std::string_view word = text();
     const auto* const found = std::find(words.begin(), words.end(), word);
     if (found == words.end()) {
-        complain(fmt::format("\"{}\" is none of {}", word, fmt::join(words, ", ")));
+        complain(fmt::format("\"{}\" is not one of {}", word, fmt::join(words, ", ")));
         return 0;
     }
     return static_cast<std::size_t>(found - words.begin());
@@ -402,20 +402,20 @@ JsonDocument::~JsonDocument() = default;
 Expected<JsonDocument> JsonDocument::parse(std::string_view text) {
     auto parsed = std::make_unique<Parsed>();
     if (parsed->parser.allocate(text.size(), kDeepestJson) != simdjson::SUCCESS) {
-        return fail("too much JSON");
+        return fail("holds too much JSON");
     }
     const auto error = parsed->parser.parse(text.data(), text.size()).get(parsed->root);
     if (error == simdjson::DEPTH_ERROR) {
-        return fail(fmt::format("JSON nested deeper than {}", kDeepestJson));
+        return fail(fmt::format("its JSON is nested deeper than {} levels", kDeepestJson));
     }
     if (error != simdjson::SUCCESS) {
-        return fail(fmt::format("not JSON: {}", simdjson::error_message(error)));
+        return fail(fmt::format("is not JSON: {}", simdjson::error_message(error)));
     }
     if (!parsed->root.is_object()) {
-        return fail("not an object of JSON");
+        return fail("is not an object of JSON");
     }
     if (std::vector<std::string_view> keys; has_keys_twice(parsed->root, keys)) {
-        return fail("a key stands twice in one object");
+        return fail("has a key twice in one object");
     }
     return JsonDocument(std::move(parsed));
 }

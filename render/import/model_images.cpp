@@ -36,7 +36,8 @@ void keep_images_within_memory(Model& model) {
         if (packed > kMostPackedPixels) {
             image.packed.clear();
             image.width = image.height = 0;
-            warn(model, "images of more than 256 megapixels: the last ones are left out");
+            warn(model,
+                 "its images have more than 256 megapixels in all: the last ones are left out");
         }
     }
     const auto total = [&model] {
@@ -47,7 +48,8 @@ void keep_images_within_memory(Model& model) {
         return sum;
     };
     while (total() > kMostPixels) {
-        warn(model, "images of more than 64 megapixels: the largest are drawn smaller");
+        warn(model,
+             "its images have more than 64 megapixels in all: the largest are drawn smaller");
         ++std::max_element(
               model.images.begin(),
               model.images.end(),

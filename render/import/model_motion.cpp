@@ -83,7 +83,7 @@ class ModelMotion {
         }
         for (const glm::dvec3& place : clip_.positions) {
             if (!(glm::length(place) <= kLargestPlace)) {
-                return fail("its clip has joints further apart than 1,000 km");
+                return fail("its clip has joints farther apart than 1,000 km");
             }
         }
         return std::move(clip_);

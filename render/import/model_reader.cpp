@@ -82,7 +82,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
                            const SideFiles& side) {
     const Format* const format = format_of(name);
     if (format == nullptr) {
-        return fail(fmt::format("no model that is read; {} are", known_endings()));
+        return fail(fmt::format("is not a model that Raks reads; it reads {}", known_endings()));
     }
     auto model = format->read(bytes, side);
     if (model) {
@@ -94,7 +94,8 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
 Expected<Model> load_model(const std::filesystem::path& path) {
     const std::string shown = printable(path.string());
     if (!is_model_name(path)) {
-        return fail(fmt::format("{}: no model that is read; {} are", shown, known_endings()));
+        return fail(
+            fmt::format("{}: is not a model that Raks reads; it reads {}", shown, known_endings()));
     }
     const auto file = read_file(path, kLargestFile);
     if (!file) {

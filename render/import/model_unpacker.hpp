@@ -17,7 +17,7 @@ inline constexpr std::chrono::seconds kLongestUnpacking(60);
 
 /// What is said where a kernel refuses the cage.
 inline constexpr const char* kUncagedWarning =
-    "unpacked without a cage: this kernel refuses seccomp";
+    "it is read without protection against damaged files: this kernel refuses seccomp";
 
 /// Unpacks what one model holds. The libraries that do it (libpng, libjpeg, libwebp, meshoptimizer)
 /// run in a process of its own that opens no file and which damaged or malicious bytes can at worst

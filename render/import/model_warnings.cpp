@@ -17,7 +17,7 @@ void warn(Model& model, const std::string& line) {
         return;
     }
     if (warnings.size() == kMostWarnings) {
-        warnings.emplace_back("and more like these");
+        warnings.emplace_back("there are more like these");
         return;
     }
     std::string fit = printable(line, 300);

@@ -79,7 +79,7 @@ void read_mtoon1(const JsonField& materials, Model& model) {
             continue;
         }
         if (!toon.is_object() || !is_known_version(toon, model)) {
-            warn(model, toon.line("is no MToon 1.0; drawn as glTF says"));
+            warn(model, toon.line("is not MToon 1.0; drawn by its glTF material"));
             continue;
         }
         MToon read = read_toon(toon, model);

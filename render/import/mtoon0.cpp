@@ -286,7 +286,7 @@ void set_material(const JsonField& at,
         set_unlit_z_write(from, queues, material);
     } else if (!set_unlit(from, material) && !is_as_gltf_says(from.shader())) {
         warn(model,
-             at.line(fmt::format("the shader \"{}\" is not known; drawn as glTF says",
+             at.line(fmt::format("the shader \"{}\" is not known; drawn by its glTF material",
                                  printable(from.shader(), 60))));
     }
 }

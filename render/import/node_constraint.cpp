@@ -34,7 +34,7 @@ NodeConstraint read_constraint(const JsonField& extension, int node, Model& mode
     if (constraint.source == node) {
         kind["source"].complain("is the node itself");
     } else if (constraint.kind == ConstraintKind::aim && is_below(model, constraint.source, node)) {
-        kind["source"].complain("lies below the node that aims at it");
+        kind["source"].complain("lies below the node that is to aim at it");
     }
     return constraint;
 }
@@ -98,7 +98,7 @@ class ConstraintOrder {
                 states_[at] = State::done;
                 warn(model_,
                      "nodes[" + std::to_string(constraints_[at].node) +
-                         "]: its constraint closes a circle of constraints; left out");
+                         "]: its constraint follows itself, by way of others; left out");
             } else if (!waits) {
                 states_[at] = State::done;
                 stack.pop_back();

@@ -49,7 +49,7 @@ Expected<Image> blank_picture(std::int64_t width, std::int64_t height) {
     constexpr std::int64_t kMostPlainPixels = 1 << 24;
     if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide ||
         width * height > kMostPlainPixels) {
-        return fail(fmt::format("{} x {} pixels; sides of 1 to {} and {} pixels are read",
+        return fail(fmt::format("has {} x {} pixels; sides of 1 to {} and up to {} pixels are read",
                                 width,
                                 height,
                                 kLargestImageSide,

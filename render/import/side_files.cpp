@@ -67,9 +67,11 @@ Expected<int> open_below(const std::filesystem::path& folder,
         here.number = next;
     }
     if (here.number < 0) {
-        return fail(errno == ELOOP ? std::string("is a link, which is not followed")
-                                   : fmt::format("cannot be opened: {}",
-                                                 std::generic_category().message(errno)));
+        return fail(
+            errno == ELOOP
+                ? std::string(
+                      "is a symbolic link, which is not followed; put the file itself there")
+                : fmt::format("cannot be opened: {}", std::generic_category().message(errno)));
     }
     return here.release();
 }
@@ -77,7 +79,7 @@ Expected<int> open_below(const std::filesystem::path& folder,
 Expected<std::vector<std::byte>> read_all(int file, std::size_t max_bytes) {
     struct stat status {};
     if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return fail("is no plain file");
+        return fail("is not a plain file");
     }
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size > max_bytes) {
@@ -112,7 +114,7 @@ Expected<std::vector<std::byte>> base64_decoded(std::string_view text) {
         text.remove_suffix(1);
     }
     if (text.size() % 4 == 1) {
-        return fail("base64 that is cut");
+        return fail("has base64 that is cut off");
     }
     std::vector<std::byte> bytes;
     bytes.reserve(text.size() / 4 * 3 + 3);
@@ -121,7 +123,7 @@ Expected<std::vector<std::byte>> base64_decoded(std::string_view text) {
     for (const char c : text) {
         const std::uint8_t value = kBase64[static_cast<unsigned char>(c)];
         if (value == 64) {
-            return fail("no base64");
+            return fail("is not base64");
         }
         bits = (bits << 6U) | value;
         held += 6;
@@ -137,13 +139,13 @@ Expected<std::vector<std::byte>> base64_decoded(std::string_view text) {
 
 Expected<std::vector<std::string>> side_path(std::string_view uri) {
     if (uri.empty()) {
-        return fail("names no file");
+        return fail("does not name a file");
     }
     if (uri.size() > kLongestUri) {
-        return fail(fmt::format("a name of {} bytes", uri.size()));
+        return fail(fmt::format("has a name that is too long ({} bytes)", uri.size()));
     }
     if (has_scheme(uri)) {
-        return fail(fmt::format("\"{}\" is no file beside the model", printable(uri, 80)));
+        return fail(fmt::format("\"{}\" is not a file beside the model", printable(uri, 80)));
     }
     const auto path = percent_decoded(uri);
     const bool is_odd =
@@ -151,7 +153,8 @@ Expected<std::vector<std::string>> side_path(std::string_view uri) {
             return c == '\\' || static_cast<unsigned char>(c) < 0x20;
         });
     if (is_odd) {
-        return fail(fmt::format("\"{}\" is no plain relative path", printable(uri, 80)));
+        return fail(
+            fmt::format("\"{}\" is not a plain path from the model's folder", printable(uri, 80)));
     }
     std::vector<std::string> names;
     for (std::size_t at = 0; at <= path->size();) {
@@ -163,7 +166,7 @@ Expected<std::vector<std::string>> side_path(std::string_view uri) {
         }
         if (names.back().front() == '.' && names.back() != ".") {
             return fail(
-                fmt::format("\"{}\" is hidden, which no part of a model is", printable(uri, 80)));
+                fmt::format("\"{}\" is a hidden file, which is not read", printable(uri, 80)));
         }
     }
     return names;
@@ -198,20 +201,21 @@ bool is_data_uri(std::string_view uri) noexcept {
 Expected<std::vector<std::byte>> read_data_uri(std::string_view uri, std::size_t max_bytes) {
     const std::size_t comma = uri.find(',');
     if (!is_data_uri(uri) || comma == std::string_view::npos) {
-        return fail("a data URI without a comma");
+        return fail("is a data URI without a comma");
     }
     std::string_view type = uri.substr(kDataScheme.size(), comma - kDataScheme.size());
     constexpr std::string_view kCoding = ";base64";
     if (type.size() < kCoding.size() || type.substr(type.size() - kCoding.size()) != kCoding) {
-        return fail("a data URI that is not base64");
+        return fail("is a data URI that is not base64");
     }
     type.remove_suffix(kCoding.size());
     if (type != "application/octet-stream" && type != "application/gltf-buffer" &&
         type.substr(0, 6) != "image/") {
-        return fail(fmt::format("a data URI of type \"{}\"", printable(type, 80)));
+        return fail(
+            fmt::format("is a data URI of type \"{}\", which is not read", printable(type, 80)));
     }
     if ((uri.size() - comma) / 4 * 3 > max_bytes) {
-        return fail(fmt::format("a data URI of more than {} bytes", max_bytes));
+        return fail(fmt::format("is a data URI of more than {} bytes", max_bytes));
     }
     return base64_decoded(uri.substr(comma + 1));
 }

@@ -82,7 +82,7 @@ class Springs {
     void keep_center(const JsonField& from, SpringChain& chain) {
         const int first = chain.joints.front().node;
         if (chain.center >= 0 && chain.center != first && !tree_.is_below(first, chain.center)) {
-            warn(model_, from.line("its center does not carry it; it swings against the world"));
+            warn(model_, from.line("its center does not carry it, so that it swings without one"));
             chain.center = -1;
         }
     }
@@ -141,7 +141,7 @@ SpringCollider read_shape(const JsonField& from, Model& model) {
     if (is_extended && shape["plane"].exists()) {
         return read_plane(shape["plane"], model);
     }
-    shape.complain("is no shape that is known");
+    shape.complain("is not a shape that is known");
     return {};
 }
 
@@ -236,7 +236,7 @@ SpringChain read_chain(const JsonField& from,
         chain.joints.push_back(read);
     }
     if (chain.joints.empty()) {
-        from["joints"].complain("holds no joints");
+        from["joints"].complain("has no joints");
     }
     chain.colliders = colliders_of(from["colliderGroups"], groups);
     chain.center = from["center"].index_or_none(model.nodes.size());

@@ -10,7 +10,7 @@ namespace raks::render {
 namespace {
 
 constexpr std::size_t kTdsHead = 6;         // bytes: id and length
-constexpr float kFarthestTdsNumber = 1e7F;  // places and scales beyond are no figure
+constexpr float kFarthestTdsNumber = 1e7F;  // places and scales beyond it are refused
 
 }  // namespace
 
@@ -65,9 +65,10 @@ std::optional<TdsChunk> TdsChunk::next() {
     }
     const std::size_t room = end_ - chunk.start_;
     if (length < kTdsHead || length > room) {
-        chunk.complain(length < kTdsHead
-                           ? fmt::format("says a length of {} bytes, less than its head", length)
-                           : fmt::format("says a length of {} bytes, {} are there", length, room));
+        chunk.complain(
+            length < kTdsHead
+                ? fmt::format("says that it has {} bytes, less than its header has", length)
+                : fmt::format("says that it has {} bytes, but {} are there", length, room));
         return std::nullopt;
     }
     chunk.at_ = at_;
@@ -85,7 +86,7 @@ std::uint32_t TdsChunk::u32() { return little_endian(4); }
 float TdsChunk::number() {
     const auto value = std::bit_cast<float>(u32());
     if (!(std::abs(value) <= kFarthestTdsNumber)) {
-        complain(fmt::format("{} is no number within {}", value, kFarthestTdsNumber));
+        complain(fmt::format("{} is not a number within {}", value, kFarthestTdsNumber));
         return 0.0F;
     }
     return value;
@@ -114,7 +115,8 @@ void TdsChunk::skip(std::size_t bytes) { static_cast<void>(takes(bytes)); }
 
 std::size_t TdsChunk::checked(std::size_t count, std::size_t size) {
     if (count > left() / size) {
-        complain(fmt::format("says {} entries, there is room for {}", count, left() / size));
+        complain(fmt::format(
+            "says that it has {} entries, but there is room for {}", count, left() / size));
         return 0;
     }
     return count;

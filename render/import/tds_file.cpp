@@ -44,7 +44,8 @@ TdsFaceGroup read_face_group(TdsChunk& chunk, std::size_t triangles) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint16_t triangle = chunk.u16();
         if (triangle >= triangles) {
-            chunk.complain(fmt::format("triangle {} is not one of {}", triangle, triangles));
+            chunk.complain(fmt::format(
+                "triangle {} does not exist: there are {}, counted from 0", triangle, triangles));
             return group;
         }
         group.triangles.push_back(triangle);
@@ -83,12 +84,13 @@ void check_mesh(const TdsChunk& chunk, TdsObject& object, TdsFile& file) {
     for (const auto& triangle : object.triangles) {
         const auto largest = *std::max_element(triangle.begin(), triangle.end());
         if (largest >= count) {
-            chunk.complain(fmt::format("vertex {} is not one of {}", largest, count));
+            chunk.complain(fmt::format(
+                "vertex {} does not exist: there are {}, counted from 0", largest, count));
             return;
         }
     }
     if (!object.uv.empty() && object.uv.size() != count) {
-        file.note(fmt::format("\"{}\": {} places in the texture for {} vertices, left out",
+        file.note(fmt::format("\"{}\": has {} texture coordinates for {} vertices; left out",
                               printable(object.name, 60),
                               object.uv.size(),
                               count));
@@ -135,7 +137,7 @@ void read_object(TdsChunk& chunk, TdsFile& file) {
         file.lights += part->id() == kTdsLight ? 1U : 0U;
     }
     if (file.objects.size() == kMostTdsNodes) {
-        chunk.complain(fmt::format("more than {} objects", kMostTdsNodes));
+        chunk.complain(fmt::format("there are more than {} objects", kMostTdsNodes));
     } else if (has_mesh) {
         file.objects.push_back(std::move(object));
     }
@@ -146,7 +148,7 @@ void read_editor(TdsChunk& chunk, TdsFile& file) {
         if (part->id() == kTdsMaterialEntry) {
             file.materials.push_back(read_tds_material(*part));
             if (file.materials.size() > kMostTdsNodes) {
-                part->complain(fmt::format("more than {} materials", kMostTdsNodes));
+                part->complain(fmt::format("there are more than {} materials", kMostTdsNodes));
             }
         } else if (part->id() == kTdsObjectEntry) {
             read_object(*part, file);
@@ -168,7 +170,7 @@ Expected<TdsFile> parse_tds(std::span<const std::byte> bytes) {
     TdsChunk whole(bytes, faults);
     auto main = whole.next();
     if (main && main->id() != kTdsMain) {
-        return fail(fmt::format("no 3DS file: begins with {:04X}, not 4D4D", main->id()));
+        return fail(fmt::format("is not a 3DS file: it begins with {:04X}, not 4D4D", main->id()));
     }
     TdsFile file;
     while (auto part = main ? main->next() : std::nullopt) {
@@ -181,7 +183,7 @@ Expected<TdsFile> parse_tds(std::span<const std::byte> bytes) {
         }
     }
     if (!main && !faults.any()) {
-        return fail("no 3DS file: it is empty");
+        return fail("is not a 3DS file: it is empty");
     }
     if (auto good = faults.finish(); !good) {
         return fail(good.error());

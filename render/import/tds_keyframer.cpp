@@ -66,8 +66,9 @@ std::vector<TdsKey<Value>> read_track(TdsChunk& chunk, const TdsNode& node, TdsF
             return a.frame >= b.frame;
         }) == keys.end();
     if (!rises) {
-        file.note(fmt::format("\"{}\": frames that do not rise; only the first is kept",
-                              printable(node.name, 60)));
+        file.note(fmt::format(
+            "\"{}\": its keyframes do not follow one another in time; only the first is kept",
+            printable(node.name, 60)));
         keys.resize(1);
     }
     return keys;
@@ -120,7 +121,7 @@ void read_tds_keyframer(TdsChunk& chunk, TdsFile& file) {
         if (part->id() >= kTdsFirstNode && part->id() <= kTdsLastNode) {
             file.nodes.push_back(read_node(*part, file));
             if (file.nodes.size() > kMostTdsNodes) {
-                part->complain(fmt::format("more than {} nodes", kMostTdsNodes));
+                part->complain(fmt::format("there are more than {} nodes", kMostTdsNodes));
             }
         }
     }

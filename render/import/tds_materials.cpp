@@ -159,7 +159,8 @@ class MaterialAdder {
             from.transparency > kSeenThrough ? AlphaMode::blend : AlphaMode::opaque;
         if (from.other_textures > 0) {
             warn(model_,
-                 fmt::format("material \"{}\": {} textures beside its colour's are left out",
+                 fmt::format("material \"{}\": {} textures are left out; only the one of its "
+                             "colour is drawn",
                              material.name,
                              from.other_textures));
         }
@@ -190,13 +191,13 @@ class MaterialAdder {
         }
         if (!bytes) {
             warn(model_,
-                 fmt::format("texture \"{}\" left out: {}", image.name, bytes.error().message));
+                 fmt::format("texture \"{}\" left out: it {}", image.name, bytes.error().message));
             return -1;
         }
         image.packed = std::move(*bytes);
         if (const auto good = take_size(image); !good) {
             warn(model_,
-                 fmt::format("texture \"{}\" left out: {}", image.name, good.error().message));
+                 fmt::format("texture \"{}\" left out: it {}", image.name, good.error().message));
             return -1;
         }
         known->second = static_cast<int>(model_.images.size());
@@ -276,7 +277,7 @@ std::map<std::string, int> add_tds_materials(const TdsFile& file,
             names.try_emplace(material.name, static_cast<int>(model.materials.size())).second;
         if (!is_new) {
             warn(model,
-                 fmt::format("two materials are named \"{}\"; the first is drawn",
+                 fmt::format("two materials are named \"{}\"; the first is drawn for both",
                              printable(material.name, 60)));
         }
         adder.add(material);

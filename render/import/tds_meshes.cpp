@@ -228,7 +228,7 @@ Expected<ModelMesh> make_tds_mesh(const TdsObject& object,
         if (!std::all_of(places.begin(), places.end(), [](const glm::vec3& place) {
                 return is_finite(place);
             })) {
-            return fail(fmt::format("\"{}\": its axes send it beyond all numbers", mesh.name));
+            return fail(fmt::format("\"{}\": its axes move it too far away", mesh.name));
         }
     }
     return mesh;

@@ -56,7 +56,7 @@ class NodeAdder {
         for (std::size_t i = 0; i < file.objects.size(); ++i) {
             if (!objects_.try_emplace(file.objects[i].name, i).second) {
                 warn(model,
-                     fmt::format("objects of one name, such as \"{}\"",
+                     fmt::format("several objects have one name, such as \"{}\"",
                                  printable(file.objects[i].name, 60)));
             }
         }
@@ -65,7 +65,7 @@ class NodeAdder {
 
     Expected<void> add() {
         if (file_.nodes.size() + file_.objects.size() > kMostTdsNodes) {
-            return fail(fmt::format("more than {} nodes", kMostTdsNodes));
+            return fail(fmt::format("there are more than {} nodes", kMostTdsNodes));
         }
         for (const TdsNode& node : file_.nodes) {
             if (auto good = add_node(node); !good) {
@@ -162,7 +162,7 @@ class NodeAdder {
         const float volume = glm::determinant(glm::mat3(object.world_from_object));
         if (!(std::abs(volume) > kLeastVolume && std::abs(volume) < 1.0F / kLeastVolume)) {
             warn(model_,
-                 fmt::format("\"{}\" has no axes that can be inverted: it stays where its "
+                 fmt::format("\"{}\" has axes that cannot be inverted: it stays where its "
                              "vertices are",
                              printable(object.name, 60)));
             return glm::mat4(1.0F);
@@ -177,10 +177,13 @@ class NodeAdder {
     std::string unique_name(const std::string& wanted) {
         std::string name = printable(wanted, 200);
         if (name != wanted) {
-            warn(model_, fmt::format("the name \"{}\" is odd: shown in part", printable(name, 60)));
+            warn(model_,
+                 fmt::format(
+                     "the name \"{}\" is too long or holds control characters: it is shown in part",
+                     printable(name, 60)));
         }
         if (wanted.empty()) {
-            warn(model_, "an object without a name");
+            warn(model_, "an object has no name");
             name = "object";
         }
         if (names_.insert(name).second) {
@@ -202,7 +205,7 @@ class NodeAdder {
         for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
             const std::size_t id = file_.nodes[i].id ? *file_.nodes[i].id : i;
             if (!by_id.try_emplace(id, static_cast<int>(i)).second) {
-                warn(model_, fmt::format("two nodes have the id {}; the first is a parent", id));
+                warn(model_, fmt::format("two nodes have the id {}; children go to the first", id));
             }
         }
         for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
@@ -267,7 +270,8 @@ class NodeAdder {
         for (std::size_t next = 0; next < open.size(); ++next) {
             const auto [node, depth] = open[next];
             if (depth > kDeepestTdsNode) {
-                return fail(fmt::format("more than {} nodes below one another", kDeepestTdsNode));
+                return fail(
+                    fmt::format("has more than {} nodes below one another", kDeepestTdsNode));
             }
             for (const int child : model_.nodes[static_cast<std::size_t>(node)].children) {
                 open.emplace_back(child, depth + 1);

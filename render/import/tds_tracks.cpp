@@ -140,7 +140,7 @@ AnimationChannel turns(int node, const std::vector<TdsKey<TdsTurn>>& keys, Model
         const float end = seconds_of(keys[i].frame);
         const float pieces = pieces_of(turn);
         if (std::abs(turn.angle) > glm::two_pi<float>() * kMostRounds) {
-            warn(model, "turns of more than 16 rounds between two keys are drawn in part");
+            warn(model, "turns of more than 16 rounds between two keyframes are drawn in part");
         }
         const glm::quat before = rotation;
         for (float piece = 1.0F; piece <= pieces; piece += 1.0F) {
@@ -180,7 +180,7 @@ void add_tds_clip(const TdsFile& file, ImportBudget& budget, Model& model) {
         const int index = static_cast<int>(i);
         if (!budget.claim(node.positions.size() + node.scales.size(), kBytesOfCurve) ||
             !budget.claim(piece_count(node.turns), kBytesOfTurn)) {
-            warn(model, "tracks that need too much memory are left out");
+            warn(model, "its movement needs too much memory and is left out");
             break;
         }
         if (node.positions.size() > 1) {

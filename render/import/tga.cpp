@@ -144,7 +144,7 @@ class TgaPixels {
 Expected<Image> read_tga(std::span<const std::byte> bytes) {
     const TgaHead head = tga_head_of(bytes);
     if (bytes.size() < kTgaHead || !is_known(head)) {
-        return fail("no TGA of a kind that is read");
+        return fail("is not a TGA of a kind that is read");
     }
     auto image = blank_picture(head.width, head.height);
     if (!image) {
@@ -155,7 +155,7 @@ Expected<Image> read_tga(std::span<const std::byte> bytes) {
     for (int y = 0; y < image->height; ++y) {
         for (int x = 0; x < image->width; ++x) {
             if (!pixels.next(pixel)) {
-                return fail("a TGA that is cut");
+                return fail("is a TGA that is cut off");
             }
             set_pixel(*image,
                       head.is_from_right ? image->width - 1 - x : x,

@@ -64,7 +64,7 @@ void read_terms(const JsonField& meta,
             continue;
         }
         if (model.character.licence.terms.size() == kMostTerms) {
-            warn(model, meta.line("says more than 100 things of use; the rest is left out"));
+            warn(model, meta.line("says more than 100 things about its use; the rest is left out"));
             return;
         }
         std::string value = term_text(field, model);

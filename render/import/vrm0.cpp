@@ -231,7 +231,7 @@ LookAtRange read_degrees(const JsonField& map, float scale, Model& model) {
     const std::vector<float> curve = map["curve"].noting_to(ignored).numbers(1000);
     if (!curve.empty() &&
         !std::equal(curve.begin(), curve.end(), kStraight.begin(), kStraight.end())) {
-        warn(model, "firstPerson: curves of the gaze are taken as straight lines");
+        warn(model, "firstPerson: the curves by which its eyes turn are taken as straight lines");
     }
     return {lenient_number(map["xRange"], {0.01F, 180.0F, 90.0F}, model),
             lenient_number(map["yRange"], {0.0F, 180.0F, scale}, model)};
@@ -317,7 +317,8 @@ Expected<void> read_vrm0(const JsonField& vrm, Model& model) {
     }
     if (character.humanoid.nodes[motion::index_of(motion::Bone::chest)] < 0 ||
         character.humanoid.nodes[motion::index_of(motion::Bone::neck)] < 0) {
-        warn(model, "VRM.humanoid: no chest or no neck, which VRM 0.x asks for; goes on without");
+        warn(model,
+             "VRM.humanoid: has no chest or no neck, which VRM 0.x asks for; Raks goes on without");
     }
     read_meta0(own["meta"], model);
     const BindTargets targets(model);

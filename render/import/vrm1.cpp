@@ -107,7 +107,8 @@ void read_expressions(const JsonField& group, bool is_preset, Model& model) {
                 return;
             }
             if (is_preset && !is_preset_name(name)) {
-                warn(model, from.line("is no preset; taken as the maker's own"));
+                warn(model,
+                     from.line("is not an expression that VRM names; taken as one of its maker"));
             }
             all.push_back(read_expression(name, from, model));
             all.back().is_preset = is_preset && is_preset_name(name);

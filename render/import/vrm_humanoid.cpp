@@ -80,7 +80,7 @@ void check_tree(const JsonField& bones, Model& model) {
         }
         int& owned = owner[static_cast<std::size_t>(node)];
         if (owned >= 0) {
-            bones.complain(fmt::format("{} and {} are one node",
+            bones.complain(fmt::format("{} and {} are the same node",
                                        motion::kBoneNames[static_cast<std::size_t>(owned)],
                                        motion::kBoneNames[at]));
             return;
@@ -136,7 +136,7 @@ void read_human_bones0(const JsonField& bones, Model& model) {
 Expected<void> check_required_bones(const HumanoidMap& humanoid) {
     const std::string missing = missing_bones(humanoid);
     if (!missing.empty()) {
-        return fail(fmt::format("its humanoid has no {}", missing));
+        return fail(fmt::format("its skeleton has no {}", missing));
     }
     return {};
 }

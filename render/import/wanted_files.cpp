@@ -157,10 +157,11 @@ Expected<std::vector<std::byte>> WantedFiles::read(std::string_view uri, std::si
     const std::string& name = names->back();
     const std::string ending = ending_of(name);
     if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) {
-        return fail(fmt::format("\"{}\" is no picture of a kind that is read", printable(uri, 80)));
+        return fail(
+            fmt::format("\"{}\" is not a picture of a kind that Raks reads", printable(uri, 80)));
     }
     if (!is_named(name)) {
-        return fail(fmt::format("\"{}\" is nothing that the model names", printable(uri, 80)));
+        return fail(fmt::format("\"{}\" is not a file that the model names", printable(uri, 80)));
     }
     auto bytes = side_.read(uri, max_bytes);
     if (bytes && ending == kMaterials) {

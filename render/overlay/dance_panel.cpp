@@ -84,8 +84,8 @@ void draw_health(const Pen& pen, const OverlayState& state, float right, float y
     };
     // Numbers of zero are left out.
     count(state.xruns, "gap in the sound", "gaps in the sound");
-    count(state.drops, "moment not danced", "moments not danced");
-    count(state.late, "wait for the file", "waits for the file");
+    count(state.drops, "moment missed", "moments missed");
+    count(state.late, "pause to read the file", "pauses to read the file");
 
     std::string line;
     if (state.latency_ms) {

@@ -85,21 +85,21 @@ TEST_F(SoundfontBand, says_which_soundfont_cannot_be_played) {
     EXPECT_EQ(message(none), none.string() + ": cannot be opened: No such file or directory");
     const fs::path cut = folder_ / "cut.sf2";
     ASSERT_TRUE(write_file(cut, read_file(kTiny).value().substr(0, 700)));
-    EXPECT_EQ(message(cut), cut.string() + ": not a soundfont that FluidSynth can load");
+    EXPECT_EQ(message(cut), cut.string() + ": is not a soundfont that FluidSynth can load");
 }
 
 TEST_F(SoundfontBand, whose_player_breaks_off_or_says_nonsense_is_one_line) {
     replace("kill -SEGV $$\n");
-    EXPECT_EQ(
-        message(kTiny),
-        kTiny.string() + ": its reader broke off (killed by SIGSEGV): it is damaged, or too large");
+    EXPECT_EQ(message(kTiny),
+              kTiny.string() +
+                  ": its reader ended too soon (killed by SIGSEGV): it is damaged, or too large");
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
-    EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader answered nonsense and was ended");
+    EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader sent a broken answer and was ended");
     // Samples that are no numbers.
     replace(
         "printf '\\x02\\0SR\\1\\0\\0\\0\\0\\0\\0\\0' >&3\n"
         "head -c 200000 /dev/zero | tr '\\0' '\\377' >&3\nsleep 100\n");
-    EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader answered nonsense and was ended");
+    EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader sent a broken answer and was ended");
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child of ours is left
 }
 

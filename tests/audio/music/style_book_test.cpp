@@ -405,8 +405,9 @@ TEST(StyleBook, a_missing_or_empty_folder_is_one_line) {
     const test::TemporaryFolder folder;
     const auto empty = load_styles(folder.path());
     ASSERT_FALSE(empty);
-    EXPECT_EQ(empty.error().message,
-              folder.path().string() + ": holds no .toml file: where are the styles of music?");
+    EXPECT_EQ(
+        empty.error().message,
+        folder.path().string() + ": holds no .toml file, but styles of music are needed there");
     const auto missing = load_styles(folder / "none");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().message,

@@ -169,7 +169,7 @@ TEST(DracoUnpacker, what_is_no_packed_mesh_is_told) {
     const auto cut = unpack_draco(packed_glb(packed().substr(0, 40)), no_ways());
     ASSERT_FALSE(cut);
     EXPECT_EQ(unpack_draco("{}", no_ways()).error().message,
-              "no glTF that Draco has packed: a part of it is missing or no such part");
+              "is not glTF that Draco has packed: a part of it is missing or damaged");
 }
 
 // RAKS_MODEL_MUTANTS=2000 tries that many; each in the child, which may end, but not Raks.

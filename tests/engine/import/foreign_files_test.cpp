@@ -37,22 +37,23 @@ TEST(ForeignObj, what_is_not_there_is_told_with_its_line) {
         const char* line;
         const char* message;
     } rows[] = {
-        {"f 0 1 2", "line 4: \"0\" is no corner that is there"},
-        {"f 1 2 4", "line 4: \"4\" is no corner that is there"},
-        {"f 1 2 -4", "line 4: \"-4\" is no corner that is there"},
-        {"f 1/1 2/1 3/1", "line 4: \"1/1\" is no corner that is there"},
-        {"f 1 2 3x", "line 4: \"3x\" is no corner that is there"},
-        {"f 1 2 99999999999999999999", "is no corner that is there"},
-        {"v 0 nan 0", "line 4: a vertex that is no point"},
-        {"v 0 0", "line 4: a vertex that is no point"},
+        {"f 0 1 2", "line 4: \"0\" names a corner that does not exist"},
+        {"f 1 2 4", "line 4: \"4\" names a corner that does not exist"},
+        {"f 1 2 -4", "line 4: \"-4\" names a corner that does not exist"},
+        {"f 1/1 2/1 3/1", "line 4: \"1/1\" names a corner that does not exist"},
+        {"f 1 2 3x", "line 4: \"3x\" names a corner that does not exist"},
+        {"f 1 2 99999999999999999999", "names a corner that does not exist"},
+        {"v 0 nan 0", "line 4: is a vertex without three numbers"},
+        {"v 0 0", "line 4: is a vertex without three numbers"},
     };
     for (const auto& row : rows) {
         EXPECT_NE(fault(ForeignFormat::obj, std::string(kTriangle) + row.line).find(row.message),
                   std::string::npos)
             << row.line;
     }
-    EXPECT_EQ(fault(ForeignFormat::obj, "f 1 2 3"), "line 1: \"1\" is no corner that is there");
-    EXPECT_EQ(fault(ForeignFormat::obj, "hello"), "no OBJ: there are no vertices in it");
+    EXPECT_EQ(fault(ForeignFormat::obj, "f 1 2 3"),
+              "line 1: \"1\" names a corner that does not exist");
+    EXPECT_EQ(fault(ForeignFormat::obj, "hello"), "is not OBJ: there are no vertices in it");
     EXPECT_EQ(fault(ForeignFormat::obj, ""), "empty");
 }
 
@@ -61,8 +62,9 @@ TEST(ForeignFbx, that_is_none_or_cut_is_told) {
     const std::string version("\xE8\x1C\0\0", 4);  // 7400
     const std::string end(13, '\0');
     EXPECT_EQ(fault(ForeignFormat::fbx, head + version + end), "");
-    EXPECT_EQ(fault(ForeignFormat::fbx, head), "cut within its head");
-    EXPECT_EQ(fault(ForeignFormat::fbx, head + version), "damaged: the record at byte 27 is cut");
+    EXPECT_EQ(fault(ForeignFormat::fbx, head), "is cut off within its header; copy it again");
+    EXPECT_EQ(fault(ForeignFormat::fbx, head + version),
+              "is damaged: the record at byte 27 is cut");
     EXPECT_EQ(fault(ForeignFormat::fbx, head + std::string("\x0F\x27\0\0", 4)),
               "FBX version 9999: 6100 to 7900 are read");
     // A record "a" that would end at its own start.
@@ -72,9 +74,9 @@ TEST(ForeignFbx, that_is_none_or_cut_is_told) {
         14);
     EXPECT_NE(fault(ForeignFormat::fbx, head + version + own_start + end).find("within the one"),
               std::string::npos);
-    EXPECT_EQ(fault(ForeignFormat::fbx, "hello"), "no FBX");
+    EXPECT_EQ(fault(ForeignFormat::fbx, "hello"), "is not FBX");
     EXPECT_EQ(fault(ForeignFormat::fbx, "; FBX 7.4\nFBXHeaderExtension: {\n"),
-              "cut: a brace or a text is not closed");
+              "is cut off: a brace or a text is not closed");
     EXPECT_EQ(fault(ForeignFormat::fbx, "; a } in words\nFBXHeaderExtension: \"{\" {\n}\n"), "");
 }
 
@@ -122,7 +124,8 @@ TEST(ForeignCollada, utf_16_becomes_utf_8) {
     const auto mended = mended_text(ForeignFormat::collada, wide, notes);
     ASSERT_TRUE(mended) << mended.error().message;
     EXPECT_EQ(*mended, "<?xml version=\"1.0\" encoding=\"utf-8\"?><COLLADA>\xC3\xA9</COLLADA>");
-    EXPECT_EQ(fault(ForeignFormat::collada, wide.substr(0, wide.size() - 1)), "UTF-16 that is cut");
+    EXPECT_EQ(fault(ForeignFormat::collada, wide.substr(0, wide.size() - 1)),
+              "is UTF-16 that is cut off");
 }
 
 TEST(ForeignCollada, blanks_before_the_numbers_of_a_list_are_taken_out) {
@@ -133,18 +136,18 @@ TEST(ForeignCollada, blanks_before_the_numbers_of_a_list_are_taken_out) {
 }
 
 TEST(ForeignCollada, what_assimp_would_break_at_is_refused) {
-    EXPECT_EQ(fault(ForeignFormat::collada, "<xml/>"), "no Collada");
+    EXPECT_EQ(fault(ForeignFormat::collada, "<xml/>"), "is not Collada");
     EXPECT_EQ(fault(ForeignFormat::collada, "<!DOCTYPE x [<!ENTITY a \"b\">]><COLLADA/>"),
               "it defines entities of its own, which are not read");
     std::string deep = "<COLLADA>";
     for (int i = 0; i < 300; ++i) {
         deep += "<node>";
     }
-    EXPECT_EQ(fault(ForeignFormat::collada, deep), "more than 256 elements inside one another");
+    EXPECT_EQ(fault(ForeignFormat::collada, deep), "has more than 256 elements inside one another");
     EXPECT_EQ(fault(ForeignFormat::collada, "<COLLADA><p>0 -5</p></COLLADA>"),
-              "a corner with a negative number");
+              "has a corner with a negative number");
     EXPECT_EQ(fault(ForeignFormat::collada, "<COLLADA><accessor stride=\"0\"/></COLLADA>"),
-              "a source with stride 0");
+              "has a source with stride 0");
 }
 
 }  // namespace

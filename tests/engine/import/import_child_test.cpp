@@ -188,8 +188,9 @@ TEST_F(ImportChild, a_bone_that_has_its_own_size_does_not_take_that_of_its_paren
 TEST_F(ImportChild, that_breaks_off_is_one_line) {
     const fs::path file = give("x.dae", kCollada);
     replace("exit 3\n");
-    EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader broke off (exit code 3): it is damaged, or too large");
+    EXPECT_EQ(
+        message(load_model(file)),
+        file.string() + ": its reader ended too soon (exit code 3): it is damaged, or too large");
     replace("kill -SEGV $$\n");
     EXPECT_NE(message(load_model(file)).find("(killed by SIGSEGV)"), std::string::npos);
 }
@@ -211,21 +212,22 @@ TEST_F(ImportChild, that_says_nonsense_is_one_line) {
     const fs::path file = give("x.dae", kCollada);
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
     EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader answered nonsense and was ended");
+              file.string() + ": its reader sent a broken answer and was ended");
     replace("while echo raks-import: all is well; do :; done >&3\n");
     EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader answered nonsense and was ended");
+              file.string() + ": its reader sent a broken answer and was ended");
     // A part of the right kind (5: done) with a garbled model in it.
     replace(kDone + "\\x08\\0\\0\\0\\0\\0\\0\\0glTFglTF' >&3\nsleep 100\n");
-    EXPECT_EQ(message(load_model(file)), file.string() + ": as glTF: cut within its head");
+    EXPECT_EQ(message(load_model(file)),
+              file.string() + ": read as glTF: is cut off within its header; copy it again");
     // A file (0), which only we may send.
     replace("printf '\\x01\\0IR\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0' >&3\nsleep 100\n");
     EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader answered nonsense and was ended");
+              file.string() + ": its reader sent a broken answer and was ended");
     // Notes without end.
     replace("while printf '\\x01\\0IR\\3\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0n'; do :; done >&3\n");
     EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader answered nonsense and was ended");
+              file.string() + ": its reader sent a broken answer and was ended");
 }
 
 TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
@@ -233,12 +235,13 @@ TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
     // More than any model may have.
     replace(kDone + "\\0\\0\\0\\0\\0\\0\\0\\x10glTF' >&3\nsleep 100\n");
     EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader answered nonsense and was ended");
+              file.string() + ": its reader sent a broken answer and was ended");
     // 400 MB of which four bytes come: nothing is reserved for what does not come.
     const std::string much = kDone + "\\0\\0\\0\\x18\\0\\0\\0\\0glTF' >&3\n";
     replace(much + "exit 0\n");
-    EXPECT_EQ(message(load_model(file)),
-              file.string() + ": its reader broke off (exit code 0): it is damaged, or too large");
+    EXPECT_EQ(
+        message(load_model(file)),
+        file.string() + ": its reader ended too soon (exit code 0): it is damaged, or too large");
     replace(much + "sleep 100\n");
     EXPECT_EQ(message(read_within(200ms)), "its reader took more than 0.2 s and was ended");
     // A glTF of 20 bytes that says it has 200. (Who ended without having read what it was given

@@ -152,7 +152,8 @@ TEST_F(Unpacking, says_what_is_broken_and_goes_on) {
 TEST_F(Unpacking, by_one_that_breaks_off_is_one_line_and_the_next_thing_gets_another) {
     ModelUnpacker unpacker;
     replace("exit 3\n");
-    EXPECT_EQ(message(unpacker), "its reader broke off (exit code 3): it is damaged, or too large");
+    EXPECT_EQ(message(unpacker),
+              "its reader ended too soon (exit code 3): it is damaged, or too large");
     replace("kill -SEGV $$\n");
     EXPECT_NE(message(unpacker).find("(killed by SIGSEGV)"), std::string::npos);
     setenv("RAKS_UNPACKER", program_.c_str(), 1);
@@ -160,7 +161,7 @@ TEST_F(Unpacking, by_one_that_breaks_off_is_one_line_and_the_next_thing_gets_ano
 }
 
 TEST_F(Unpacking, by_one_that_says_nonsense_is_one_line) {
-    const std::string nonsense = "its reader answered nonsense and was ended";
+    const std::string nonsense = "its reader sent a broken answer and was ended";
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
     EXPECT_EQ(message(), nonsense);
     // Words of 4 GB.

@@ -106,7 +106,7 @@ TEST(HumanoidMap, a_figure_on_four_legs_is_refused) {
     model.nodes[0].rotation = glm::angleAxis(1.5F, glm::vec3(1.0F, 0.0F, 0.0F));
     const auto mapped = map_humanoid(model);
     ASSERT_FALSE(mapped);
-    EXPECT_EQ(mapped.error().message, "it does not stand upright: no figure on two legs");
+    EXPECT_EQ(mapped.error().message, "it does not stand upright on two legs");
 }
 
 TEST(HumanoidMap, what_the_file_says_stands) {
@@ -180,7 +180,7 @@ TEST(BoneLabels, nodes_that_are_not_there_or_serve_twice_are_said_and_the_rest_i
     EXPECT_TRUE(warns(mapped("hips = \"Pelvis\"\n", false),
                       "me.toml: hips: the model has no node \"Pelvis\"; left out"));
     EXPECT_TRUE(warns(mapped("hips = \"Bone.0\"\nspine = \"Bone.0\"\n", false),
-                      "me.toml: hips and spine are one node; the latter is left out"));
+                      "me.toml: hips and spine are the same node; the second is left out"));
     EXPECT_TRUE(warns(mapped("hips = \"Bone.0\"\n", true),
                       "me.toml: hips: two nodes are named \"Bone.0\"; left out"));
 }
@@ -200,8 +200,9 @@ TEST(BoneLabels, of_a_bone_with_several_lines_the_first_counts_and_the_others_ar
                                          {.bone = Bone::right_hand, .node = "Bone.14"}};
     EXPECT_TRUE(
         std::is_permutation(labels->bones.begin(), labels->bones.end(), kept.begin(), kept.end()));
-    const std::vector<std::string> said = {"me.toml: line 6: hips is on line 4 already; left out",
-                                           "me.toml: line 7: hips is on line 4 already; left out"};
+    const std::vector<std::string> said = {
+        "me.toml: line 6: hips is on line 4 already; this line is left out",
+        "me.toml: line 7: hips is on line 4 already; this line is left out"};
     EXPECT_EQ(labels->left_out, said);
     Model model = figure_named("Bone.");
     ASSERT_TRUE(map_humanoid(model, &*labels));

@@ -105,7 +105,7 @@ TEST_F(ModelImages, that_claim_too_much_are_refused_by_their_head) {
     png[16] = '\x7F';
     const auto head = look_at_image(bytes_of(png));
     ASSERT_FALSE(head);
-    EXPECT_EQ(head.error().message, "2130706472 x 24 pixels; sides of 1 to 8192 are read");
+    EXPECT_EQ(head.error().message, "has 2130706472 x 24 pixels; sides of 1 to 8192 are read");
     EXPECT_FALSE(look_at_image(bytes_of("GIF89a..............................")));
     EXPECT_FALSE(look_at_image({}));
 }

@@ -48,7 +48,7 @@ TEST(JsonField, names_the_place_of_the_first_fault) {
                            (void)root["a"].items()[0]["b"].index(3);
                            (void)root["c"].number(0, 1);
                        }),
-              "a[0].b: 5 is not one of the 3 that there are");
+              "a[0].b: 5 does not exist: there are 3, counted from 0");
     EXPECT_EQ(fault_of(text, [](const JsonField& root) { (void)root["c"].items(); }),
               "c: is a text, not a list");
     EXPECT_EQ(fault_of(text, [](const JsonField& root) { (void)root["x"]["y"].text(); }),
@@ -68,13 +68,13 @@ TEST(JsonField, notes_faults_of_a_part_where_it_is_told_to) {
 
 TEST(JsonDocument, refuses_what_is_no_clear_document) {
     const auto none = [](const JsonField&) {};
-    EXPECT_EQ(fault_of("[1]", none), "not an object of JSON");
-    EXPECT_EQ(fault_of(R"({"a":1,"b":{"c":1,"c":2}})", none), "a key stands twice in one object");
+    EXPECT_EQ(fault_of("[1]", none), "is not an object of JSON");
+    EXPECT_EQ(fault_of(R"({"a":1,"b":{"c":1,"c":2}})", none), "has a key twice in one object");
     EXPECT_NE(fault_of(R"({"a":NaN})", none), "");
     EXPECT_NE(fault_of("{\"a\":\"\xFF\"}", none), "");
     EXPECT_NE(fault_of("", none), "");
     const std::string deep = "{\"a\":" + std::string(100, '[') + std::string(100, ']') + "}";
-    EXPECT_EQ(fault_of(deep, none), "JSON nested deeper than 64");
+    EXPECT_EQ(fault_of(deep, none), "its JSON is nested deeper than 64 levels");
 }
 
 }  // namespace

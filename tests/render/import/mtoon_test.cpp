@@ -215,7 +215,7 @@ TEST(Materials0, other_shaders_are_as_gltf_says) {
 TEST(Materials0, a_texture_that_is_not_there_is_left_out) {
     const ReadFigure read = read_materials(toon0("", "", R"("_MainTex":77)"));
     EXPECT_EQ(read.model.materials[0].base_texture.texture, -1);
-    EXPECT_TRUE(read.warns("_MainTex: 77 is not one of the 3 that there are; left out"));
+    EXPECT_TRUE(read.warns("_MainTex: 77 does not exist: there are 3, counted from 0; left out"));
 }
 
 }  // namespace

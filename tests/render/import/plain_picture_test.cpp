@@ -173,7 +173,7 @@ TEST(PlainPictures, are_told_from_others) {
     EXPECT_FALSE(is_plain_picture(bytes_of("\x89PNG"), "a.png"));
     EXPECT_FALSE(is_plain_picture({}, ""));
     EXPECT_TRUE(is_plain_picture({}, "C:\\MAPS\\SKIN.TGA"));
-    EXPECT_EQ(read_plain_picture({}).error().message, "no TGA of a kind that is read");
+    EXPECT_EQ(read_plain_picture({}).error().message, "is not a TGA of a kind that is read");
 }
 
 TEST(PlainPictures, that_claim_too_much_are_refused_by_their_head) {
@@ -182,9 +182,9 @@ TEST(PlainPictures, that_claim_too_much_are_refused_by_their_head) {
     tga[13] = tga[15] = 32;
     tga[16] = 24;
     EXPECT_EQ(read_plain_picture(bytes_of(tga)).error().message,
-              "8192 x 8192 pixels; sides of 1 to 8192 and 16777216 pixels are read");
+              "has 8192 x 8192 pixels; sides of 1 to 8192 and up to 16777216 pixels are read");
     tga[13] = tga[15] = 16;
-    EXPECT_EQ(read_plain_picture(bytes_of(tga)).error().message, "a TGA that is cut");
+    EXPECT_EQ(read_plain_picture(bytes_of(tga)).error().message, "is a TGA that is cut off");
 }
 
 TEST(PlainPictures, survive_cuts_and_damage) {

@@ -210,7 +210,7 @@ TEST_F(SharedFigures, that_are_no_humanoids_are_refused_with_what_is_missing) {
         const auto mapped = map_humanoid(*model);
         ASSERT_FALSE(mapped) << file;
         if (file == "Fox.glb") {
-            EXPECT_EQ(mapped.error().message, "it does not stand upright: no figure on two legs");
+            EXPECT_EQ(mapped.error().message, "it does not stand upright on two legs");
         } else {
             EXPECT_NE(mapped.error().message.find("no humanoid is found in it: no "),
                       std::string::npos)

@@ -73,15 +73,15 @@ TEST_F(SideFilesTest, that_are_hidden_are_not_read) {
     write("model/.ssh/id_rsa", "secret");
     write("model/.picture.png", "secret");
     for (const std::string uri : {".ssh/id_rsa", "./.ssh/id_rsa", "%2Essh/id_rsa"}) {
-        EXPECT_EQ(read(uri), "\"" + uri + "\" is hidden, which no part of a model is");
+        EXPECT_EQ(read(uri), "\"" + uri + "\" is a hidden file, which is not read");
     }
-    EXPECT_EQ(read(".picture.png"), "\".picture.png\" is hidden, which no part of a model is");
+    EXPECT_EQ(read(".picture.png"), "\".picture.png\" is a hidden file, which is not read");
 }
 
 TEST_F(SideFilesTest, that_are_no_plain_files_are_not_read) {
-    EXPECT_EQ(read("pipe"), "\"pipe\" is no plain file");
-    EXPECT_EQ(read("parts"), "\"parts\" is no plain file");
-    EXPECT_EQ(read("."), "\".\" is no plain file");
+    EXPECT_EQ(read("pipe"), "\"pipe\" is not a plain file");
+    EXPECT_EQ(read("parts"), "\"parts\" is not a plain file");
+    EXPECT_EQ(read("."), "\".\" is not a plain file");
     EXPECT_EQ(read("none.bin"), "\"none.bin\" cannot be opened: No such file or directory");
 }
 

@@ -52,8 +52,8 @@ TEST(SpringBone1, a_chain_that_cannot_be_is_left_out_with_a_word) {
     for (const Row& row : {
              Row{R"({"node":15},{"node":15})", "does not lie below the joint before"},
              Row{R"({"node":17},{"node":16})", "does not lie below the joint before"},
-             Row{R"({"node":15},{"node":700})", "700 is not one of the 18"},
-             Row{"", "holds no joints"},
+             Row{R"({"node":15},{"node":700})", "700 does not exist: there are 18"},
+             Row{"", "has no joints"},
          }) {
         const ReadFigure read = read_spring(row.joints);
         EXPECT_EQ(read.error, "");
@@ -132,7 +132,7 @@ TEST(SpringBone1, a_bad_collider_costs_itself_and_a_bad_group_its_spring) {
     EXPECT_FLOAT_EQ(read.model.character.colliders[0].radius, 0.0F);
     ASSERT_EQ(read.model.character.springs.size(), 1U);
     EXPECT_EQ(read.model.character.springs[0].colliders, std::vector<int>{0});
-    EXPECT_TRUE(read.warns("colliders[0].shape: is no shape that is known; left out"));
+    EXPECT_TRUE(read.warns("colliders[0].shape: is not a shape that is known; left out"));
     EXPECT_TRUE(read.warns("springs[1].colliderGroups[0]: 9"));
 }
 
@@ -247,7 +247,7 @@ TEST(NodeConstraint, on_itself_in_a_circle_or_of_nothing_is_left_out) {
     EXPECT_TRUE(circle.warns("closes a circle"));
     const ReadFigure nothing = read_constraints({R"({"rotation":{"source":900}})"});
     EXPECT_TRUE(nothing.model.character.constraints.empty());
-    EXPECT_TRUE(nothing.warns("900 is not one of the 18"));
+    EXPECT_TRUE(nothing.warns("900 does not exist: there are 18"));
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ TEST(TdsTree, deeper_than_a_thousand_is_refused) {
         list.push_back({.name = "$$$DUMMY", .id = i, .parent = i - 1, .instance = "d"});
     }
     EXPECT_EQ(fault(tds::file(part("A", {0, 0, 0}), nodes(list))),
-              "more than 1000 nodes below one another");
+              "has more than 1000 nodes below one another");
 }
 
 // ---- Where parts stand
@@ -253,7 +253,7 @@ TEST(TdsPart, with_flat_axes_stays_where_its_vertices_are) {
     tds::Mesh mesh = tds::box("A", {0, 0, 0}, kHalf, {0, 0, 0});
     mesh.axes[2] = mesh.axes[1];
     const Model model = read_good(tds::file(tds::object(mesh), nodes({{.name = "A", .id = 0}})));
-    EXPECT_TRUE(warns(model, "has no axes that can be inverted"));
+    EXPECT_TRUE(warns(model, "has axes that cannot be inverted"));
     EXPECT_EQ(rest_box(model)->high, glm::vec3(0.5F));
 }
 
@@ -320,7 +320,7 @@ TEST(TdsTrack, whose_frames_fall_keeps_its_first_key) {
                   nodes({{.name = "A", .id = 0, .places = {{9, {1, 0, 0}}, {3, {2, 0, 0}}}}})));
     EXPECT_TRUE(model.animations.empty());
     EXPECT_EQ(model.nodes[0].translation.x, 1.0F);
-    EXPECT_TRUE(warns(model, "frames that do not rise"));
+    EXPECT_TRUE(warns(model, "its keyframes do not follow one another"));
 }
 
 // ---- Surfaces
@@ -435,27 +435,29 @@ TEST(TdsMaterial, finds_its_picture_beside_the_file) {
 // ---- What is wrong
 
 TEST(TdsFaults, are_said_with_chunk_and_place) {
-    EXPECT_EQ(fault(""), "no 3DS file: it is empty");
+    EXPECT_EQ(fault(""), "is not a 3DS file: it is empty");
     EXPECT_EQ(fault("MZ\x00\x00\x00\x00"), fault("MZ"));
-    EXPECT_EQ(fault(tds::chunk(0x5A4D, "")), "no 3DS file: begins with 5A4D, not 4D4D");
+    EXPECT_EQ(fault(tds::chunk(0x5A4D, "")), "is not a 3DS file: it begins with 5A4D, not 4D4D");
     EXPECT_EQ(fault(tds::chunk(0x4D4D, "")), "there is no mesh in it");
     const std::string good = tds::file(parts_of_torso(), nodes(kTorso));
     EXPECT_EQ(fault(good.substr(0, 200)),
-              "chunk 4D4D at byte 0: says a length of " + std::to_string(good.size()) +
-                  " bytes, 200 are there");
+              "chunk 4D4D at byte 0: says that it has " + std::to_string(good.size()) +
+                  " bytes, but 200 are there");
     tds::Mesh mesh = tds::box("A", {0, 0, 0}, kHalf, {0, 0, 0});
     mesh.triangles[3][1] = 60'000;
-    EXPECT_NE(fault(tds::file(tds::object(mesh))).find("vertex 60000 is not one of 8"),
+    EXPECT_NE(fault(tds::file(tds::object(mesh)))
+                  .find("vertex 60000 does not exist: there are 8, counted from 0"),
               std::string::npos);
     mesh = tds::box("A", {0, 0, 0}, kHalf, {0, 0, 0});
     mesh.positions[2].y = std::nanf("");
-    EXPECT_NE(fault(tds::file(tds::object(mesh))).find("nan is no number"), std::string::npos);
+    EXPECT_NE(fault(tds::file(tds::object(mesh))).find("nan is not a number"), std::string::npos);
     const std::string no_end = tds::chunk(0x4000, "name");
     EXPECT_NE(fault(tds::file(no_end)).find("ends too soon"), std::string::npos);
     const std::string many = tds::chunk(0x4110, tds::count(65'535) + std::string(96, '\0'));
-    EXPECT_NE(fault(tds::file(tds::chunk(0x4000, tds::text("A") + tds::chunk(0x4100, many))))
-                  .find("chunk 4110 at byte 36: says 65535 entries, there is room for 8"),
-              std::string::npos);
+    EXPECT_NE(
+        fault(tds::file(tds::chunk(0x4000, tds::text("A") + tds::chunk(0x4100, many))))
+            .find("chunk 4110 at byte 36: says that it has 65535 entries, but there is room for 8"),
+        std::string::npos);
 }
 
 TEST(TdsFaults, chunks_shorter_than_their_head_end_the_reading) {
@@ -464,7 +466,7 @@ TEST(TdsFaults, chunks_shorter_than_their_head_end_the_reading) {
         // The editor's length: behind the head and the version.
         std::string bad = bytes;
         bad.replace(18, 4, std::string{length, '\0', '\0', '\0'});
-        EXPECT_NE(fault(bad).find("chunk 3D3D at byte 16: says a length of"), std::string::npos);
+        EXPECT_NE(fault(bad).find("chunk 3D3D at byte 16: says that it has "), std::string::npos);
     }
 }
 

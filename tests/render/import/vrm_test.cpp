@@ -59,13 +59,14 @@ TEST(Vrm1, wrong_bones_are_refused_in_one_line) {
         const char* error;
     };
     for (const Row& row : {
-             Row{R"("hips":{"node":0},)", "", "its humanoid has no hips"},
+             Row{R"("hips":{"node":0},)", "", "its skeleton has no hips"},
              Row{R"("head":{"node":2})",
                  R"("head":{"node":999})",
-                 "VRMC_vrm.humanoid.humanBones.head.node: 999 is not one of the 18 that there are"},
+                 "VRMC_vrm.humanoid.humanBones.head.node: 999 does not exist: there are 18, "
+                 "counted from 0"},
              Row{R"("rightHand":{"node":14})",
                  R"("rightHand":{"node":8})",
-                 "VRMC_vrm.humanoid.humanBones: leftHand and rightHand are one node"},
+                 "VRMC_vrm.humanoid.humanBones: leftHand and rightHand are the same node"},
              Row{R"("head":{"node":2})",
                  R"("head":{})",
                  "VRMC_vrm.humanoid.humanBones.head.node: is missing"},
@@ -109,7 +110,7 @@ TEST(Vrm, extensions_of_another_kind_are_refused) {
             Row{R"({"extensions":{"VRMC_vrm":{"specVersion":"2.0"}}})",
                 "VRMC_vrm.specVersion is not 1.0; save the model as VRM 1.0"},
             Row{R"({"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":null}}})",
-                "its humanoid has no hips, spine, head, leftUpperLeg, leftLowerLeg, leftFoot, "
+                "its skeleton has no hips, spine, head, leftUpperLeg, leftLowerLeg, leftFoot, "
                 "leftUpperArm, leftLowerArm, leftHand, rightUpperLeg, rightLowerLeg, rightFoot, "
                 "rightUpperArm, rightLowerArm, rightHand"},
             Row{R"({"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":{"humanBones":[]}}}})",
@@ -171,8 +172,8 @@ TEST(Vrm1, a_bad_bind_costs_that_bind) {
     ASSERT_EQ(read.error, "");
     ASSERT_EQ(expression(read, "aa")->morphs.size(), 1U);
     EXPECT_EQ(expression(read, "aa")->morphs[0].weight, 1.0F);
-    EXPECT_TRUE(read.warns("morphTargetBinds[0].node: 900 is not one of the 18"));
-    EXPECT_TRUE(read.warns("morphTargetBinds[1].index: 50 is not one of the 2"));
+    EXPECT_TRUE(read.warns("morphTargetBinds[0].node: 900 does not exist: there are 18"));
+    EXPECT_TRUE(read.warns("morphTargetBinds[1].index: 50 does not exist: there are 2"));
     EXPECT_TRUE(read.warns("is not in 0 .. 1; taken as 1"));
 }
 
@@ -255,7 +256,7 @@ TEST(Vrm0, blend_shapes_name_meshes_and_become_expressions) {
     EXPECT_NE(expression(read, "Grin"), nullptr);
     EXPECT_EQ(read.model.character.expressions.size(), 2U);
     EXPECT_TRUE(read.warns("the expression happy is there already"));
-    EXPECT_TRUE(read.warns("binds[1].mesh: 9 is not one of the 1"));
+    EXPECT_TRUE(read.warns("binds[1].mesh: 9 does not exist: there are 1"));
     EXPECT_TRUE(read.warns("is not a material of the file"));
 }
 

@@ -58,8 +58,8 @@ TEST_F(WantedFilesTest, that_the_model_names_are_handed_out) {
 
 TEST_F(WantedFilesTest, that_it_does_not_name_are_not) {
     EXPECT_EQ(read("a picture: skin.png", "other.png"),
-              "\"other.png\" is nothing that the model names");
-    EXPECT_EQ(read("", "skin.png"), "\"skin.png\" is nothing that the model names");
+              "\"other.png\" is not a file that the model names");
+    EXPECT_EQ(read("", "skin.png"), "\"skin.png\" is not a file that the model names");
 }
 
 TEST_F(WantedFilesTest, are_named_by_materials_that_were_handed_out_before) {
@@ -74,13 +74,14 @@ TEST_F(WantedFilesTest, are_named_by_materials_that_were_handed_out_before) {
 TEST_F(WantedFilesTest, are_parts_of_models_alone_whatever_the_model_names) {
     const std::string model =
         "id_rsa .ssh/id_rsa notes.txt .ssh/skin.png ../secret.png link.png out/secret.png";
-    EXPECT_EQ(read(model, "id_rsa"), "\"id_rsa\" is no picture of a kind that is read");
-    EXPECT_EQ(read(model, "notes.txt"), "\"notes.txt\" is no picture of a kind that is read");
-    EXPECT_EQ(read(model, ".ssh/id_rsa"), "\".ssh/id_rsa\" is hidden, which no part of a model is");
+    EXPECT_EQ(read(model, "id_rsa"), "\"id_rsa\" is not a picture of a kind that Raks reads");
+    EXPECT_EQ(read(model, "notes.txt"), "\"notes.txt\" is not a picture of a kind that Raks reads");
+    EXPECT_EQ(read(model, ".ssh/id_rsa"), "\".ssh/id_rsa\" is a hidden file, which is not read");
     EXPECT_EQ(read(model, ".ssh/skin.png"),
-              "\".ssh/skin.png\" is hidden, which no part of a model is");
+              "\".ssh/skin.png\" is a hidden file, which is not read");
     EXPECT_EQ(read(model, "../secret.png"), "\"../secret.png\" leads out of the model's folder");
-    EXPECT_EQ(read(model, "link.png"), "\"link.png\" is a link, which is not followed");
+    EXPECT_EQ(read(model, "link.png"),
+              "\"link.png\" is a symbolic link, which is not followed; put the file itself there");
     EXPECT_NE(read(model, "out/secret.png"), "inside");
 }
 
