@@ -40,10 +40,10 @@ bool is_dance_name(std::string_view name) noexcept {
 std::string why_no_dance_name(std::string_view name) {
     const std::string shown = printable(name, kLongestName);
     if (is_taken(name)) {
-        return fmt::format("\"{}\" is no name for a dance: it means something else here", shown);
+        return fmt::format("\"{}\" cannot name a dance: it means something else here", shown);
     }
     return fmt::format(
-        "\"{}\" is no name for a dance: letters a-z, digits, '-' and '_', 1 to {} of them",
+        "\"{}\" cannot name a dance: letters a-z, digits, '-' and '_', 1 to {} of them",
         shown,
         kLongestName);
 }

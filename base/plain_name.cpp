@@ -13,7 +13,8 @@ bool is_plain_name(std::string_view name) {
 
 std::string why_no_plain_name(std::string_view name) {
     return fmt::format(
-        "\"{}\" is no name: 1 to {} bytes, no '/', '\\' or control characters, not \".\" or \"..\"",
+        "\"{}\" cannot be a name: 1 to {} bytes, no '/', '\\' or control characters, not \".\" or "
+        "\"..\"",
         printable(name, kLongestPlainName),
         kLongestPlainName);
 }

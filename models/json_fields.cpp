@@ -133,7 +133,7 @@ bool JsonDocument::Field::has(std::string_view key) const {
 // No list: a fault, and no entries, so that loops over it end at once.
 std::size_t JsonDocument::Field::size() const {
     if (value_ == nullptr || !value_->is_array()) {
-        complain("is no list");
+        complain("is not a list");
         return 0;
     }
     return value_->size();
@@ -141,7 +141,7 @@ std::size_t JsonDocument::Field::size() const {
 
 double JsonDocument::Field::number() const {
     if (value_ == nullptr || !value_->is_number()) {
-        complain("is no number");
+        complain("is not a number");
         return 0.0;
     }
     const double number = value_->get<double>();
@@ -164,7 +164,7 @@ int JsonDocument::Field::whole(int lowest, int highest) const {
 
 std::string JsonDocument::Field::text() const {
     if (value_ == nullptr || !value_->is_string()) {
-        complain("is no text");
+        complain("is not a text");
         return {};
     }
     return value_->get<std::string>();

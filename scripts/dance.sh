@@ -6,7 +6,7 @@ caller=$PWD
 file=()
 if [ $# -gt 0 ]; then
     if [ ! -r "$1" ] || [ -d "$1" ]; then
-        echo "dance: $1: no file that can be read; give a sound file, or nothing" >&2
+        echo "dance: $1: is not a file that can be read; name a sound file, or none for music that Raks makes" >&2
         exit 2
     fi
     file=("$(realpath -- "$1")")

@@ -36,7 +36,7 @@ lists=(build run learn test)
 scripts/setup.sh "${lists[@]}"
 if [ "$mode" = --all ]; then
     # Without the network the tests on PipeWire are skipped.
-    scripts/unpack_pipewire.sh || echo "PipeWire could not be fetched"
+    scripts/unpack_pipewire.sh || echo "PipeWire could not be fetched; the tests that need it are skipped"
     step "format"
     git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run -Werror
 fi

@@ -56,4 +56,4 @@ network both_again 44 "${both[@]}"
 
 stage four --trust 0.95 --together "$folder"/{music,machines,both,both_again}.json
 learn beats "${both[@]}" --from "$folder/four.json" --bar-steps "$(share 1200 10)"
-echo "$folder/beats.json" >&2
+echo "the networks are in $folder/beats.json" >&2

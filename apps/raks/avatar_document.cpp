@@ -189,8 +189,8 @@ std::string avatar_text(const Model& model, const std::string& file) {
     text += survey_text(survey);
     text += licence_text(model.character.licence);
     const std::vector<MappedBone> bones = mapped_bones(model);
-    text += bones.empty() ? "no bones of a figure are known in it\n"
-                          : fmt::format("{} bones of a figure\n", bones.size());
+    text += bones.empty() ? "no bones of a body are found in it\n"
+                          : fmt::format("{} bones of a body\n", bones.size());
     for (const MappedBone& bone : bones) {
         text += fmt::format("  {:<24} {} ({})\n",
                             bone.name,

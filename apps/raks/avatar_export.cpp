@@ -57,7 +57,7 @@ Expected<render::Model> load_segmented(const Path& file, const engine::AvatarOpt
     const bool is_figure = engine::find_bones(*stored, options.labels) &&
                            render::missing_bones(stored->character.humanoid).empty();
     if (!is_figure && options.labels.empty()) {
-        stored->warnings.emplace_back("it is no figure: it is written as it is stored");
+        stored->warnings.emplace_back("it has no bones of a body: it is written as it is stored");
         return render::segmented_model(*stored);
     }
     const auto figure = engine::load_to_give_away(file, options);

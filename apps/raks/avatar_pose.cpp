@@ -39,7 +39,7 @@ bool is_picture(const Path& output) { return output.extension() == ".png"; }
 Expected<Path> file_of(const std::string& name) {
     auto file = engine::find_avatar(name);
     if (file && file->empty()) {
-        return fail("the mannequin is no file: it is made by Raks itself");
+        return fail("the mannequin has no file, as Raks makes it itself: name the file of a model");
     }
     return file;
 }

@@ -118,7 +118,7 @@ MaybeOffset measure_taps(const audio::AudioDevice& output) {
 
 ExitCode forget(engine::DeviceOffsets offsets, const audio::AudioDevice& output) {
     if (!offsets.forget(output.name)) {
-        say(fmt::format("nothing was kept for {}", audio::described(output)));
+        say(fmt::format("no offset is kept for {}", audio::described(output)));
         return kExitDone;
     }
     if (auto saved = offsets.save(); !saved) {

@@ -206,7 +206,8 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
                 music.rate.time_of(music.rate.index_at(stream_time_from_seconds(music.start)));
             return engine::OfflineDriver::create(music.rate, std::move(*plan), start, cast);
         }
-        say(music.file.string() + ": longer than an hour: danced to as it comes");
+        say(music.file.string() +
+            ": is longer than an hour, so that it is not analyzed before it plays");
     }
     auto driver = engine::OfflineDriver::create(music.rate, setup.models, cast);
     if (!driver) {

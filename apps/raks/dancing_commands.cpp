@@ -50,12 +50,12 @@ void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overla
     app.add_option("--seed", settings.seed, "same seed, same dance");
     add_avatar_options(app, settings, engine::kMostAvatars);
     app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
-    app.add_option("--dress", settings.dress, "of the mannequin: dancer or mannequin");
+    app.add_option("--dress", settings.dress, "what the mannequin wears: dancer or mannequin");
     app.add_option(
         "--camera", settings.camera, "director, or still: wide, portrait, front or side");
     app.add_flag("--calm,!--no-calm",
                  settings.calm,
-                 "fewer cuts; the light changes slowly, little, with no accent");
+                 "calmer pictures: fewer cuts, and light that changes slowly and little");
     app.add_option("--size", settings.size, "picture size, such as 1280x720");
     app.add_option("--fps", settings.fps, "pictures a second");
     app.add_option("--quality", settings.quality, "auto, fast or high");
@@ -80,7 +80,7 @@ void add_sound_options(CLI::App& app, engine::Settings& settings) {
     add_audio_system_option(app, settings);
     app.add_option("--buffer",
                    settings.buffer_ms,
-                   "milliseconds that the device buffers; more with fewer holes");
+                   "milliseconds of the device's buffer; longer: fewer gaps in the sound");
 }
 
 // A row of the table of outputs each; several of one kind may be told.
@@ -118,10 +118,11 @@ void add_play(RaksCommands& table) {
     app->add_option("files",
                     a->files,
                     "music files, folders, playlists (.m3u, .pls, .xspf), - for a pipe; none: "
-                    "music of our own");
-    app->add_flag("--shuffle", a->is_shuffled, "mixed; the same seed, the same order");
-    app->add_flag("--repeat", a->repeats, "begin anew behind the last file");
-    app->add_flag("--quit", a->quits, "close the window behind the last file");
+                    "music that Raks makes");
+    app->add_flag(
+        "--shuffle", a->is_shuffled, "play the files in a mixed order; same seed, same order");
+    app->add_flag("--repeat", a->repeats, "begin again after the last file");
+    app->add_flag("--quit", a->quits, "close the window after the last file");
     app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
     add_sound_options(*app, a->settings);
     app->add_option("--volume", a->settings.volume, "1 is the file's own level");
@@ -153,7 +154,7 @@ void add_live(RaksCommands& table) {
 void add_render(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "render", "write a video of the dance to a file", render);
-    app->add_option("file", a->input, "music file; none: music of our own");
+    app->add_option("file", a->input, "music file; none: music that Raks makes");
     app->add_option("-o,--out", a->output, "X.mp4, X.mkv, X.webm, X.avi, or a folder for .png")
         ->required();
     app->add_option("--motion", a->motion, kMotionHelp);
@@ -196,7 +197,7 @@ void add_sheet(RaksCommands& table) {
     auto* const motion = app->add_option("--motion", a->motion, kMotionHelp);
     app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)")
         ->excludes(motion);
-    app->add_option("--figure", a->figure, "of the dance, such as basic; none: its first")
+    app->add_option("--figure", a->figure, "figure of the dance, such as basic; none: its first")
         ->excludes(motion);
     add_figures_option(*app, a->settings);
     add_generator_option(*app, a->settings);
@@ -208,7 +209,7 @@ void add_sheet(RaksCommands& table) {
         ->check(CLI::Range(1.0, 240.0));
     add_avatar_options(*app, a->settings, 1);
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
-    app->add_option("--dress", a->settings.dress, "of the mannequin: dancer or mannequin");
+    app->add_option("--dress", a->settings.dress, "what the mannequin wears: dancer or mannequin");
     app->add_option("--view", a->settings.view, "skin, stick or auto");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }
@@ -254,12 +255,12 @@ void add_stick(RaksCommands& table) {
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
     app->add_option("--camera", a->settings.camera, "wide, portrait, front, side, back or top");
-    app->add_option("--size", a->settings.size, "of the window or film, such as 1280x720");
+    app->add_option("--size", a->settings.size, "size of the window or film, such as 1280x720");
     app->add_option("--quality", a->settings.quality, "auto, fast or high");
 }
 
 void add_synth(RaksCommands& table) {
-    auto [app, a] = table.add(table.app(), "synth", "write music of our own generator", synth);
+    auto [app, a] = table.add(table.app(), "synth", "write music that Raks makes itself", synth);
     app->add_option(
         "style",
         a->style,
@@ -267,10 +268,11 @@ void add_synth(RaksCommands& table) {
         "clicks; none: the first dance's");
     app->add_option("-o,--out", a->output, "X.wav")->required();
     app->add_option("--beats", a->beats, "X.beats: when each beat falls, and its place in the bar");
-    app->add_option("--form",
-                    a->form,
-                    "steady; song: one drawn from the seed; or sections and their beats, such as "
-                    "full:32,breakdown:16,stop:4,drop:32,ending:8");
+    app->add_option(
+        "--form",
+        a->form,
+        "steady; song: sections drawn from the seed; or sections and their beats, such as "
+        "full:32,breakdown:16,stop:4,drop:32,ending:8");
     app->add_option("--events", a->events, "X.events: when sections begin, stop and end");
     app->add_option("--bpm", a->bpm, "tempo; else the usual one of the style")
         ->check(in_range(50.0, 230.0));

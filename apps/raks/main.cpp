@@ -114,8 +114,7 @@ void add_generator_option(CLI::App& app, engine::Settings& settings) {
 }
 
 void add_dynamics_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option(
-        "--dynamics", settings.dynamics, "on, or off: the dance follows nothing but the beat");
+    app.add_option("--dynamics", settings.dynamics, "on, or off: the dance follows the beat alone");
 }
 
 }  // namespace raks::apps

@@ -34,7 +34,8 @@ void add_devices(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
     add_audio_system_option(*app, a->settings);
     app->add_flag("--json", a->as_json, "one JSON document");
-    app->add_flag("--has-output", a->asks_for_output, "print nothing; fail without one");
+    app->add_flag(
+        "--has-output", a->asks_for_output, "print nothing; fail where there is no loudspeaker");
 }
 
 // What a person says of a model's file.
@@ -87,8 +88,7 @@ void add_avatar(RaksCommands& table) {
     avatar->require_subcommand(1);
     auto [list, l] = table.add(*avatar, "list", "list the avatars that there are", avatar_list);
     list->add_flag("--json", l->as_json, "one JSON document");
-    auto [show, s] =
-        table.add(*avatar, "show", "tell what is in a model: VRM, glTF, VRMA, 3DS", avatar_show);
+    auto [show, s] = table.add(*avatar, "show", "tell what is in the file of a model", avatar_show);
     add_model_options(*show, s->model, s->options);
     add_height_option(*show, s->options);
     show->add_option("--expression", s->expression, "what a face does: happy=1,blink=0.6");
@@ -110,14 +110,14 @@ void add_xbody(RaksCommands& table) {
            [arguments = a](const std::int64_t& frame) {
                arguments->frame = static_cast<std::size_t>(frame);
            },
-           "of the clip, from 0")
+           "frame of the clip, from 0")
         // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000))
         ->needs(motion);
     app->add_option("--view", a->view, "front, side, back or top")
         ->check(one_of({"front", "side", "back", "top"}));
-    app->add_option("--size", a->size, "of window or picture, such as 1280x720");
-    app->add_flag("--names", a->has_names, "beside the bones");
+    app->add_option("--size", a->size, "size of the window or picture, such as 1280x720");
+    app->add_flag("--names", a->has_names, "names beside the bones");
     auto* const output = app->add_option(
         "-o,--out",
         a->output,
@@ -177,7 +177,7 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
         ->check(one_of({"solo", "couple"}));
     app->add_option("--seed", a->settings.seed, "same seed, same dance");
     auto* const trial =
-        app->add_option("--trial", a->trials, "only this one, such as drums-120 or dynamics")
+        app->add_option("--trial", a->trials, "only this trial, such as drums-120 or dynamics")
             ->allow_extra_args(false);
     app->add_option(
            "--against", a->against, "music files: how dances to them follow their loudness")
@@ -209,11 +209,14 @@ void add_eval_avatar(RaksCommands& table, CLI::App& eval) {
 
 void add_eval_genre(RaksCommands& table, CLI::App& eval) {
     auto [app, a] = table.add(eval, "genre", "measure how dances are told apart", eval_genre);
-    app->add_option("folder", a->folder, "of music: one folder a genre")->required();
+    app->add_option("folder", a->folder, "folder of music, with one folder for each genre")
+        ->required();
     app->add_option("--groups", a->groups, "table of its clips: clip, genre, artist, label");
     app->add_option("--model", a->model, "X.json instead of the one that comes with Raks");
     app->add_option("--labels", a->labels, "only clips with one of these labels, such as AB");
-    app->add_flag("--damage", a->with_damage, "also quieter, low-passed, with noise, in a room");
+    app->add_flag("--damage",
+                  a->with_damage,
+                  "also with damaged sound: quieter, low-passed, with noise, in a room");
     app->add_option("--threads", a->threads)->check(in_range(1, 64));
     app->add_flag("--json", a->as_json, "one JSON document");
 }
@@ -221,9 +224,9 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
 void add_eval_music(RaksCommands& table, CLI::App& eval) {
     auto [app, a] =
         table.add(eval, "music", "measure how stops, drops and endings are told", eval_music);
-    app->add_option("--seed", a->seed, "of the first song of each style")
+    app->add_option("--seed", a->seed, "seed of the first song of each style")
         ->check(in_range(0, 1'000'000'000));
-    app->add_option("--songs", a->songs, "of each style")->check(in_range(1, 1000));
+    app->add_option("--songs", a->songs, "songs of each style")->check(in_range(1, 1000));
     app->add_option("--duration", a->seconds, "seconds of a song")->check(in_range(20.0, 3600.0));
     app->add_flag("--json", a->as_json, "one JSON document");
 }
@@ -257,7 +260,8 @@ void add_bench(RaksCommands& table) {
     app->add_option("what", a->what, "latency, analysis, motion, render, avatar or train")
         ->required()
         ->check(one_of({"latency", "analysis", "motion", "render", "avatar", "train"}));
-    app->add_option("model", a->model, "of avatar: file, or name of one of `raks avatar list`");
+    app->add_option(
+        "model", a->model, "model for avatar: file, or name of one of `raks avatar list`");
     app->parse_complete_callback([arguments = a] {
         if ((arguments->what == "avatar") == arguments->model.empty()) {
             throw CLI::RequiredError(arguments->model.empty() ? "MODEL of `raks bench avatar`"

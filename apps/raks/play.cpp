@@ -30,7 +30,8 @@ namespace {
 constexpr Nanos kFirstPatience = std::chrono::milliseconds(1500);
 constexpr Nanos kPatience = std::chrono::seconds(5);
 
-// The files to play; nothing stands for the demo. Errors: none that can be played is named.
+// The files to play; when none are given, an empty list: then Raks plays music of its own. Errors:
+// none of those that are given can be played.
 Expected<engine::PlayList> files_to_play(const std::vector<Path>& given) {
     if (!given.empty()) {
         return engine::read_play_list(given);
@@ -342,7 +343,8 @@ Expected<StageEnd> Player::play(const Path& file,
     }
     if (audio::are_decoders_unconfined()) {
         say_detail(
-            "this kernel has no filter of system calls (seccomp): files are decoded without one");
+            "files are decoded without protection against damaged ones: this kernel refuses "
+            "seccomp");
     }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
     loudspeaker_ = (*graph)->leave_loudspeaker();

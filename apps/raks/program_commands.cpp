@@ -73,11 +73,11 @@ void add_training_commands(RaksCommands& table) {
 void add_capture_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {
         {"run", "do every step that is missing or older than what it is made from"},
-        {"simulate", "film a known dance with cameras that there are not"},
+        {"simulate", "film a known dance with simulated cameras"},
         {"board", "draw the board that calibrates the cameras, to print"},
-        {"calibrate", "find lenses and places of the cameras by a board"},
-        {"sync", "tell the clocks of the films from their sound"},
-        {"label", "say which marker is where in first pictures"},
+        {"calibrate", "find lenses and places of the cameras with a printed board"},
+        {"sync", "find how the clocks of the films differ, by their sound"},
+        {"label", "tell which marker is where, in the first pictures"},
         {"track", "follow the markers through all films"},
         {"correct", "look at the tracks and put them right, in a window"},
         {"solve", "find the dancer's body and its dance in the tracks"},

@@ -31,9 +31,9 @@ void SongStart::look(engine::LiveGraph& graph) {
     if (progress.plan) {
         using Beginning = engine::PlannedStates::Beginning;
         graph.follow(progress.plan, has_begun_ ? Beginning::on_bar_line : Beginning::now);
-        say_detail(has_begun_
-                       ? "the whole song is analysed now and is danced as such from a bar line on"
-                       : "the whole song was analysed before it began");
+        say_detail(has_begun_ ? "the whole song is analyzed now: from the next bar line on the "
+                                "dance knows what comes"
+                              : "the whole song was analyzed before it began");
     }
     is_planned_ = !progress.is_working;
     if (!comes_soon) {
@@ -47,7 +47,8 @@ void SongStart::let_go(engine::LiveGraph& graph) {
         graph.playback()->let_go();
         if (!is_planned_) {
             say_detail(
-                "the song begins before all of it is analysed, and is danced as live until then");
+                "the song begins before all of it is analyzed: until then the dance follows it as "
+                "it is heard");
         }
     }
 }

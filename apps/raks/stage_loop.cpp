@@ -215,7 +215,7 @@ void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
     actions.on(Action::pause, [this](double) { toggle_pause(); });
     if (!playback->player().can_seek()) {
         actions.on(Action::seek,
-                   [this](double) { say("a pipe plays on: there is no going back or ahead"); });
+                   [this](double) { say("sound from a pipe cannot go back or ahead"); });
     }
 }
 
@@ -297,7 +297,7 @@ bool StageLoop::has_ended() const {
 
 void StageLoop::go_on() {
     if (window_ && source_.behind == StageSource::Behind::stay) {
-        say("no file follows (Q quits)");
+        say("there is no file after this one (Q quits)");
     } else {
         wish_ = StageEnd::next_file;
     }
@@ -352,7 +352,8 @@ void StageLoop::toggle_figure_view() {
 // Selects the next dance of the list; after the last, the dance that is recognised again.
 void StageLoop::select_next_dance() {
     if (settings_.dance != "auto") {
-        say(fmt::format("keeping to {}: start without --dance for the others", settings_.dance));
+        say(fmt::format("only {} is danced, as asked for: start without --dance for the others",
+                        settings_.dance));
         return;
     }
     const bool is_recognized = selected_dance_ == DanceId::none;

@@ -80,7 +80,7 @@ Expected<ShownModel> load(const XbodyArguments& arguments) {
         return fail(std::move(file.error()));
     }
     if (file->empty()) {
-        return fail("the mannequin is no file: it is made by Raks itself");
+        return fail("the mannequin has no file, as Raks makes it itself: name the file of a model");
     }
     auto joints = arguments.joints.labels();
     if (!joints) {

@@ -21,14 +21,17 @@ void add_run(CommandTable& table) {
 
 void add_simulate(CommandTable& table) {
     const auto [app, arguments] = table.add<SimulateArguments>(
-        table.app(), "simulate", "film a known dance with cameras that there are not", &simulate);
+        table.app(), "simulate", "film a known dance with simulated cameras", &simulate);
     app->add_option("motion", arguments->motion, "motion file")->required();
     app->add_option("-o,--out", arguments->output, "folder to make")->required();
-    app->add_flag("--points", arguments->points, "points in pictures, without the pictures");
+    app->add_flag("--points",
+                  arguments->points,
+                  "write where markers are in the pictures, but draw no pictures");
     app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
-    app->add_flag(
-        "--known-rig", arguments->is_rig_known, "draw no calibration films, give the rig");
-    app->add_option("--music", arguments->music, "what sounds in the films; 48,000 Hz");
+    app->add_flag("--known-rig",
+                  arguments->is_rig_known,
+                  "draw no calibration films: write where the cameras are");
+    app->add_option("--music", arguments->music, "music that is heard in the films, of 48,000 Hz");
     app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
     app->add_option("--cameras", arguments->cameras, "how many the ring has")
         ->check(in_range(2, 32));
@@ -42,17 +45,19 @@ void add_simulate(CommandTable& table) {
         ->check(in_range(0.1, 10.0));
     app->add_option("--duration", arguments->seconds, "seconds to film")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
-    app->add_option("--noise", arguments->studio.noise, "of a point, pixels")
+    app->add_option("--noise", arguments->studio.noise, "error of each point in a picture, pixels")
         ->check(in_range(0.0, 20.0));
-    app->add_option("--drop", arguments->studio.drop, "share of the points that is missed")
+    app->add_option("--drop", arguments->studio.drop, "share of the points that no camera finds")
         ->check(in_range(0.0, 1.0));
     app->add_option("--clutter", arguments->studio.clutter, "false points in each picture")
         ->check(in_range(0, 1000));
-    app->add_option("--clock-error", arguments->studio.clock_error, "of each camera, seconds")
+    app->add_option(
+           "--clock-error", arguments->studio.clock_error, "error of each camera's clock, seconds")
         ->check(in_range(0.0, 60.0));
-    app->add_option("--drift", arguments->studio.drift_ppm, "of each clock, parts in a million")
+    app->add_option(
+           "--drift", arguments->studio.drift_ppm, "drift of each clock, parts in a million")
         ->check(in_range(0.0, 1000.0));
-    app->add_option("--seed", arguments->studio.seed, "of all that is drawn");
+    app->add_option("--seed", arguments->studio.seed, "same seed, same films");
     add_body_options(*app, arguments->body);
 }
 
@@ -70,57 +75,68 @@ void add_board(CommandTable& table) {
         ->check(in_range(1.0, 2000.0));
     app->add_option("--marker", arguments->marker, "side of a marker, mm (3/4 of a square)")
         ->check(in_range(1.0, 2000.0));
-    app->add_option("--dictionary", arguments->dictionary, "of the markers, by OpenCV's name");
+    app->add_option(
+        "--dictionary", arguments->dictionary, "which markers, by OpenCV's name of the set");
     app->add_flag("--inverted", arguments->is_inverted, "black and white exchanged");
-    app->add_option("--pixels", arguments->pixels, "pixels a square, of a picture")
+    app->add_option("--pixels", arguments->pixels, "size of a square in a picture, pixels")
         ->check(in_range(10, 400));
 }
 
 void add_calibrate(CommandTable& table) {
     const auto [app, arguments] = table.add<CalibrationArguments>(
-        table.app(), "calibrate", "find lenses and places of the cameras by a board", &calibrate);
+        table.app(),
+        "calibrate",
+        "find lenses and places of the cameras with a printed board",
+        &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
     CalibrationChoices& choices = arguments->choices;
     app->add_option("--clocks", choices.clocks, "clocks of the calibration films (TOML)");
     app->add_option("--every", choices.every, "seconds between the pictures that are looked at")
         ->check(in_range(0.01, 60.0));
-    app->add_option(
-           "--coefficients", choices.coefficients, "of the distortion: 5, or 8 for wide lenses")
+    app->add_option("--coefficients",
+                    choices.coefficients,
+                    "how many numbers describe a lens's distortion: 5, or 8 for wide lenses")
         ->check(CLI::IsMember({5, 8}));
     auto* const floor =
         app->add_option("--floor", choices.floor, "when the board lay on the floor, seconds")
             ->check(in_range(0.0, 86400.0));
-    app->add_option(
-           "--floor-picture", choices.floor_picture, "the same by number, of folders of pictures")
+    app->add_option("--floor-picture",
+                    choices.floor_picture,
+                    "the same by the number of the picture, for folders of pictures")
         ->check(in_range(0, 1'000'000))
         ->excludes(floor);
     auto* const rig = app->add_option(
         "--rig", arguments->rig, "cameras that another program calibrated, instead of a board");
-    app->add_option("--unit", arguments->unit, "of that rig, where it does not say")
+    app->add_option("--unit", arguments->unit, "unit of that rig, where its file does not say")
         ->check(one_of({"m", "mm"}))
         ->needs(rig);
-    app->add_option("--up", arguments->up, "axis of that rig that points up")
+    app->add_option("--up", arguments->up, "which axis of that rig points up")
         ->check(one_of({"y", "z"}))
         ->needs(rig);
     app->add_flag("--json", arguments->as_json, "print the report as JSON");
 }
 
 void add_sync(CommandTable& table) {
-    auto [app, a] = table.add<SyncArguments>(
-        table.app(), "sync", "tell the clocks of the films from their sound", &sync_capture);
-    app->add_option("FOLDER", a->folder, "of the capture, with capture.toml")->required();
+    auto [app, a] =
+        table.add<SyncArguments>(table.app(),
+                                 "sync",
+                                 "find how the clocks of the films differ, by their sound",
+                                 &sync_capture);
+    app->add_option("FOLDER", a->folder, "folder of the capture, with its capture.toml")
+        ->required();
     app->add_option("--music", a->music, "the song that was played; else what capture.toml names");
     app->add_option("--offsets", a->offsets, "clocks set by hand (clocks.toml)");
     app->add_option("--within", a->within, "seconds within which all cameras were started")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
-    app->add_flag("--boards", a->is_of_boards, "of the calibration films, for calibrate");
+    app->add_flag(
+        "--boards", a->is_of_boards, "tell the clocks of the calibration films, for calibrate");
     app->add_flag("--json", a->as_json, "print JSON");
 }
 
 void add_label(CommandTable& table) {
     const auto [app, arguments] = table.add<LabelArguments>(
-        table.app(), "label", "say which marker is where in first pictures", &label_capture);
+        table.app(), "label", "tell which marker is where, in the first pictures", &label_capture);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("--labels",
                     arguments->labels,
@@ -131,7 +147,9 @@ void add_track(CommandTable& table) {
     const auto [app, arguments] = table.add<TrackArguments>(
         table.app(), "track", "follow the markers through all films", &track);
     app->add_option("folder", arguments->folder, "the capture")->required();
-    app->add_option("--labels", arguments->labels, "which marker is where in first pictures (TSV)");
+    app->add_option("--labels",
+                    arguments->labels,
+                    "table that tells which marker is where, in the first pictures (TSV)");
     app->add_option("--colour", arguments->colour, "how colours are told apart")
         ->check(CLI::IsMember({"normalised", "crcb"}));
     app->add_option("--sigma", arguments->sigma, "error of a point in a picture, pixels")
@@ -142,7 +160,7 @@ void add_track(CommandTable& table) {
         ->check(in_range(0.1, 1000.0));
     app->add_flag("--as-named",
                   arguments->is_as_named,
-                  "films are those of their cameras, whatever their points say");
+                  "take each film as its camera's, even where it fits another one");
     app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
 }
 

@@ -208,9 +208,12 @@ Expected<std::vector<std::string>> check_labels(const std::vector<MarkerLabel>& 
         return fail("no marker is labelled in two cameras at one moment, which gives its place");
     }
     std::vector<std::string> doubts;
-    add_doubt(missing, "not labelled; found by colour alone, if at all", doubts);
-    add_doubt(alone, "labelled in one camera alone; a second one gives the place", doubts);
-    add_doubt(apart, "labelled in two cameras, but not at one moment", doubts);
+    add_doubt(missing, "not labelled, so that they are found by colour alone, if at all", doubts);
+    add_doubt(alone, "labelled in one camera alone; label them in a second one", doubts);
+    add_doubt(
+        apart,
+        "labelled in two cameras, but at different moments; label them in pictures of one moment",
+        doubts);
     for (const MarkerLabel& label : labels) {
         if (auto doubt = colour_doubt(label, capture)) {
             doubts.push_back(std::move(*doubt));

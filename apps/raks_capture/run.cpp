@@ -29,13 +29,13 @@ ExitCode run_step(const CaptureStep& step, const Path& folder) {
 const char* words_of(StepState state) {
     switch (state) {
         case StepState::missing:
-            return "to be done";
+            return "missing";
         case StepState::outdated:
             return "something that it is made from has changed";
         case StepState::up_to_date:
             return "up to date";
         case StepState::given:
-            return "given; there is nothing to make it from";
+            return "kept as it is: there is nothing to make it from";
     }
     return "";
 }

@@ -19,14 +19,17 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
         "--average", options.averaged, "no training: the mean of these networks' weights");
     auto* together = app.add_option(
         "--together", options.ensembled, "no training: averages the outputs of these networks");
-    app.add_option("--trust", options.trust, "in what they say; below 1: less sure")
+    app.add_option(
+           "--trust", options.trust, "how far the networks are trusted; below 1: less sure beats")
         ->check(in_range(0.1, 10.0))
         ->needs(together);
     auto* pack = app.add_option("pack", options.corpus.pack, "folder of MIDI files with index.tsv");
-    auto* soundfont = app.add_option(
-        "--soundfont", options.corpus.soundfonts, "SF2 or SF3; several: mostly bands of all");
+    auto* soundfont = app.add_option("--soundfont",
+                                     options.corpus.soundfonts,
+                                     "soundfont, SF2 or SF3; with several, most pieces mix them");
     app.add_option("--corpus", options.corpus_file, "keep the rendered music here between runs");
-    app.add_option("--also", options.more_files, "more music that --corpus kept: learnt from, too");
+    app.add_option(
+        "--also", options.more_files, "more music that --corpus kept, to learn from, too");
     app.add_option("--excerpts", options.corpus.excerpts, "pieces of 22 s to render")
         ->check(in_range(16, 100'000));
     app.add_flag("--with-machines",
@@ -35,17 +38,21 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
     app.add_option("--leave-out", options.left_out, "families of music not to learn from");
     auto* from = app.add_option("--from", options.start, "X.json: go on from these weights");
-    app.add_option("--units", options.network.units, "of each layer")->check(in_range(4, 128));
+    app.add_option("--units", options.network.units, "units of each layer")
+        ->check(in_range(4, 128));
     app.add_option("--layers", options.network.layers)->check(in_range(1, 3));
-    app.add_option("--lookahead", options.network.lookahead, "hops of 10 ms")
+    app.add_option(
+           "--lookahead", options.network.lookahead, "how far it hears ahead, in hops of 10 ms")
         ->check(in_range(0, 10));
-    app.add_option("--steps", options.network.steps, "batches of 24 x 10 s")
+    app.add_option("--steps", options.network.steps, "training steps, each a batch of 24 x 10 s")
         ->check(in_range(10, 1'000'000));
-    app.add_option("--rate", options.network.rate, "of learning, at its highest")
+    app.add_option("--rate", options.network.rate, "highest learning rate")
         ->check(in_range(1e-5, 0.1));
-    app.add_option("--cuts", options.network.cut_chance, "chance that a chunk has two pieces")
+    app.add_option("--cuts",
+                   options.network.cut_chance,
+                   "chance that 10 s are cut together from two pieces")
         ->check(in_range(0.0, 1.0));
-    app.add_option("--seed", options.network.seed, "of weights and batches");
+    app.add_option("--seed", options.network.seed, "seed of weights and batches");
     app.add_option("--threads", options.network.threads)->check(in_range(1, 64));
     app.add_option("--bar-steps",
                    options.bar_steps,
@@ -53,10 +60,11 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
         ->check(in_range(10, 1'000'000))
         ->needs(from);
     auto* out = app.add_option("-o,--out", options.output, "X.json");
-    auto* write = app.add_option("--write",
-                                 options.music_folder,
-                                 "no training: the music with its beats into this new folder, for "
-                                 "`raks eval beats`");
+    auto* write =
+        app.add_option("--write",
+                       options.music_folder,
+                       "no training: write the music with its beats into this new folder, for "
+                       "`raks eval beats`");
     out->excludes(write);
     average->excludes(write);
     together->excludes(write);

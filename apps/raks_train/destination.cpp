@@ -42,7 +42,8 @@ Expected<Destination> destination_of(const std::string& output, const std::strin
     // Installed as a folder of its own among the user's dances.
     const fs::path dances = engine::user_dances_path();
     if (dances.empty()) {
-        return fail("there is no home to install dances in; give -o a folder");
+        return fail(
+            "there is no folder to install dances in, as HOME is not set; give -o a folder");
     }
     destination.folder = dances / name;
     destination.is_installed = true;

@@ -18,7 +18,7 @@ void add_train_figure(CommandTable& table) {
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
     auto* propose =
         app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
-    app->add_option("--beats", a->beats, "of one repeat, where there are no labels")
+    app->add_option("--beats", a->beats, "beats of one repeat, where there are no labels")
         ->check(in_range(1, 64));
     app->add_flag("--once", a->once, "the clip is one phrase, which does not repeat")
         ->excludes(labels)
@@ -34,15 +34,16 @@ void add_train_figure(CommandTable& table) {
     app->add_option("--figure", a->figure, "which label, or figure of a dance, to learn");
     app->add_option("--dance", a->dance, "the dance that it belongs to");
     app->add_option("--extends", a->extends, "a dance that its figures join");
-    app->add_option("--beats-per-bar", a->beats_per_bar, "of the music of a dance that is new")
+    app->add_option(
+           "--beats-per-bar", a->beats_per_bar, "beats in a bar of the music, for a new dance")
         ->check(in_range(2, 12));
     add_named_option(*app, "--role", a->role, motion::kRoleNames, "lead or follow");
     add_named_option(*app,
                      "--features",
                      a->features,
                      motion::kFeaturesNames,
-                     "of the joints: angles or positions");
-    app->add_option("--split", a->split, "only labels of this split");
+                     "what is learnt of the joints: angles or positions");
+    app->add_option("--split", a->split, "only labels whose column split says this");
     app->add_option("--min-confidence", a->min_confidence, "only labels at least so sure")
         ->check(in_range(0.0, 1.0));
     app->add_option("--fps", a->fps, "frames a second, when the file is wrong")
@@ -52,17 +53,18 @@ void add_train_figure(CommandTable& table) {
     add_joint_options(*app, a->joints, "the clips");
     // 0, the default, cannot be given: it stands for the number that suits the material.
     app->add_option("--states", a->states, "states of each part")->check(in_range(2, 96));
-    app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
+    app->add_option("--iterations", a->iterations, "rounds of training (Baum-Welch)")
+        ->check(in_range(0, 100));
     add_named_option(*app,
                      "--covariance",
                      a->covariance,
                      motion::kCovarianceKindNames,
-                     "of the states: tied, full or diagonal");
+                     "covariances of the states: tied, full or diagonal");
     add_named_option(*app,
                      "--start",
                      a->start,
                      motion::kStatesStartNames,
-                     "where states lie before Baum-Welch: flat, segmental");
+                     "how states are placed before training: flat, segmental");
     app->add_option("--source", a->source, "cmu: the model acknowledges mocap.cs.cmu.edu")
         ->check(one_of({"cmu"}));
     app->add_option(
@@ -86,7 +88,7 @@ void add_train_report(CommandTable& table) {
                      "--features",
                      a->features,
                      motion::kFeaturesNames,
-                     "of the joints: angles or positions");
+                     "what is learnt of the joints: angles or positions");
     app->add_option("--split", a->split, "learn only from labels of this split");
     // Training and test splits keep their repeats apart.
     app->add_option("--test-split", a->test_split, "tell figures apart in this split, too");
@@ -103,11 +105,12 @@ void add_train_report(CommandTable& table) {
         ->expected(1, 2)
         ->check(in_range(1e-4, 10.0));
     // The report tries every number from 2 up; --states is for the classifier's models alone.
-    app->add_option("--most-states", a->most_states, "tried: from 2 to this")
+    app->add_option("--most-states", a->most_states, "most states that are tried, from 2 on")
         ->check(in_range(2, 64));
-    app->add_option("--states", a->states, "of the models that tell figures apart")
+    app->add_option("--states", a->states, "states of the models that tell figures apart")
         ->check(in_range(2, 64));
-    app->add_option("--iterations", a->iterations, "of Baum-Welch")->check(in_range(0, 100));
+    app->add_option("--iterations", a->iterations, "rounds of training (Baum-Welch)")
+        ->check(in_range(0, 100));
     app->add_option("--threads", a->threads, "0: all cores; the page is the same for any")
         ->check(in_range(0, 256));
     app->add_option("-o,--out", a->output, "X.html")->required();

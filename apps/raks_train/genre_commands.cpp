@@ -19,7 +19,7 @@ namespace raks::apps {
 namespace {
 
 void add_options(CLI::App& app, RecordingOptions& recordings) {
-    app.add_option("folder", recordings.folder, "of music: one folder a genre");
+    app.add_option("folder", recordings.folder, "folder of music, with one folder for each genre");
     app.add_option("--groups",
                    recordings.index,
                    "table of the folder's clips: clip, genre; artist, label, train_ok if known");
@@ -33,10 +33,11 @@ void add_options(CLI::App& app, RecordingOptions& recordings) {
 void add_options(CLI::App& app, WrittenMusicOptions& written) {
     app.add_option("--synthesize", written.pieces, "pieces of music to write, play and learn from")
         ->check(in_range(0, 100'000));
-    app.add_option("--edition",
-                   written.edition,
-                   "of the written music; 1: without quarter tones, oud and lossy codecs; 2: "
-                   "without bands of several soundfonts; 3: without sounds drawn for each piece")
+    app.add_option(
+           "--edition",
+           written.edition,
+           "edition of the written music; 1: without quarter tones, oud and lossy codecs; 2: "
+           "without bands of several soundfonts; 3: without sounds drawn for each piece")
         ->check(in_range(1, 4));
     app.add_option(
         "--soundfont", written.soundfonts, "SF2 or SF3 to play it with; one is drawn a piece");
@@ -52,7 +53,7 @@ void add_options(CLI::App& app, WrittenTestOptions& test) {
     app.add_option("--test-soundfont",
                    test.soundfonts,
                    "report the scores of music played with these; not learnt from");
-    app.add_option("--test-pieces", test.pieces, "of each kind of written test; 0: none")
+    app.add_option("--test-pieces", test.pieces, "pieces of each kind of written test; 0: none")
         ->check(in_range(0, 10'000));
 }
 
@@ -75,7 +76,7 @@ void add_options(CLI::App& app, AugmentationOptions& augmentation) {
                    effects.leave_out(sound_effect_of(name));
                }
            },
-           fmt::format("what is not to happen to music: {}",
+           fmt::format("damage that is not done to the music: {}",
                        fmt::join(audio::kSoundEffectNames, ", ")))
         ->check(one_of({std::begin(audio::kSoundEffectNames), std::end(audio::kSoundEffectNames)}));
 }
@@ -95,15 +96,17 @@ void add_options(CLI::App& app, ValidationOptions& validation) {
 
 /// The HMMs on MFCC and the networks on bar patterns.
 void add_options(CLI::App& app, audio::MfccTrainingPlan& mfcc, audio::PatternTrainingPlan& rhythm) {
-    app.add_option("--states", mfcc.states, "of each genre's HMM")->check(in_range(1, 16));
-    app.add_option("--mixtures", mfcc.mixtures, "Gaussians a state")->check(in_range(1, 64));
+    app.add_option("--states", mfcc.states, "states of each genre's hidden Markov model")
+        ->check(in_range(1, 16));
+    app.add_option("--mixtures", mfcc.mixtures, "Gaussians of each state")->check(in_range(1, 64));
     app.add_option("--similarity", mfcc.similarity_rounds, "rounds of inter-genre similarity")
         ->check(in_range(0, 5));
-    app.add_option("--units", rhythm.units, "of the rhythm network")->check(in_range(2, 128));
-    app.add_option("--steps", rhythm.steps, "of its training")->check(in_range(10, 1'000'000));
+    app.add_option("--units", rhythm.units, "units of the rhythm network")->check(in_range(2, 128));
+    app.add_option("--steps", rhythm.steps, "steps of its training")
+        ->check(in_range(10, 1'000'000));
     app.add_option("--recorded-share",
                    rhythm.recorded_share,
-                   "of what is drawn, where there are recordings and written music")
+                   "share of recordings, where there are recordings and written music")
         ->check(in_range(0.0, 1.0));
 }
 
@@ -112,22 +115,23 @@ void add_options(CLI::App& app, audio::NetworkTrainingPlan& network) {
                    network.networks,
                    "recurrent networks that learn each by itself; their scores are averaged")
         ->check(in_range(1, static_cast<int>(audio::GenreScorer::kMostNetworks)));
-    app.add_option("--network-units", network.units, "of each layer of the recurrent network")
+    app.add_option("--network-units", network.units, "units of each layer of the recurrent network")
         ->check(in_range(4, 128));
     app.add_option("--network-steps",
                    network.written_steps,
-                   "of its training on written music: batches of 24 x 10 s")
+                   "steps of its training on written music, each a batch of 24 x 10 s")
         ->check(in_range(1, 1'000'000));
     app.add_option("--network-branches",
                    network.branches,
-                   "runs that go on from there by themselves; the mean of their weights is taken")
+                   "runs that go on from there, each by itself; the mean of their weights is taken")
         ->check(in_range(0, 100));
-    app.add_option("--branch-steps", network.branch_steps, "of each of them")
+    app.add_option("--branch-steps", network.branch_steps, "steps of each of those runs")
         ->check(in_range(1, 1'000'000));
-    app.add_option("--tuning-steps", network.tuning_steps, "more of them with recordings among it")
+    app.add_option(
+           "--tuning-steps", network.tuning_steps, "more steps, with recordings among the music")
         ->check(in_range(0, 1'000'000));
     app.add_option(
-           "--network-recorded-share", network.recorded_share, "of what these are drawn from")
+           "--network-recorded-share", network.recorded_share, "share of recordings in those steps")
         ->check(in_range(0.0, 1.0));
 }
 
@@ -144,14 +148,16 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    "that was kept of their music");
     app.add_option("--samples",
                    options.sample_kilobytes,
-                   "kB a genre that are kept of the music beside the model, for --add-to; 0: none")
+                   "kB of each genre's music that are kept beside the model, for --add-to; 0: none")
         ->check(in_range(0, static_cast<int>(audio::kMostSampleBytes / 1'000)));
     app.add_option("--shard",
                    options.shards.share_text,
                    "i/n: compute share i of n into -o FILE, for `raks train genre merge`");
     add_options(app, options.augmentation);
     add_options(app, options.validation);
-    app.add_flag("--no-energy", options.leaves_out_energy, "without C0 and its derivatives");
+    app.add_flag("--no-energy",
+                 options.leaves_out_energy,
+                 "learn without the loudness of each frame (C0 and its derivatives)");
     add_options(app, options.plan.mfcc, options.plan.rhythm);
     add_options(app, options.plan.network);
     app.add_option("--folds", options.plan.folds)->check(in_range(2, 20));
@@ -167,7 +173,7 @@ void add_train_genre(CommandTable& table, const std::string& command) {
     add_options(app, *options);
     CLI::App* const merge = app.add_subcommand("merge", "learn from the shards of --shard");
     merge->fallthrough();
-    merge->add_option("shards", options->shards.merged, "of all shares")->required();
+    merge->add_option("shards", options->shards.merged, "files of all shares")->required();
     app.callback([&table, options, command] {
         table.choose([options, command] { return train_genre(*options, command); });
     });

@@ -107,7 +107,7 @@ Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
     if (arguments.labels.empty()) {
         const std::string name = arguments.clips.front().stem().string();
         if (!is_dance_name(name)) {
-            return fail(fmt::format("give the dance a name: -o NAME ({} can be none)", name));
+            return fail(fmt::format("give the dance a name: -o NAME ({} cannot be one)", name));
         }
         return name;
     }

@@ -218,7 +218,7 @@ Waited DecoderClient::receive_sought() {
 
 Expected<void> DecoderClient::seek(std::int64_t frame) {
     if (!process_) {
-        return fail(warning_.empty() ? source_.name + ": has no decoder any more" : warning_);
+        return fail(warning_.empty() ? source_.name + ": its decoder has ended" : warning_);
     }
     DecodeMessage ask;
     ask.kind = DecodeKind::seek;

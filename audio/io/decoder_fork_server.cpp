@@ -119,7 +119,7 @@ Expected<pid_t> DecoderForkServer::start_decoder(const std::array<int, 3>& descr
         case Answered::stopped:
             return fail("was stopped before its first sound");
         case Answered::hung:
-            return fail("its decoder hung and was ended before its first sound");
+            return fail("its decoder did not answer in time and was ended before its first sound");
         default:
             break;
     }
@@ -127,7 +127,7 @@ Expected<pid_t> DecoderForkServer::start_decoder(const std::array<int, 3>& descr
         lock.unlock();
         return start_decoder(descriptors, is_stop_requested);
     }
-    return fail("its decoder broke off (" + how + ") before its first sound");
+    return fail("its decoder ended too soon (" + how + ") before its first sound");
 }
 
 }  // namespace raks::audio

@@ -20,15 +20,15 @@ Expected<pid_t> spawn_decoder(const DecoderStart& start) {
 std::string why_ended(Waited why, const std::string& how) {
     switch (why) {
         case Waited::hung:
-            return "its decoder hung and was ended";
+            return "its decoder did not answer in time and was ended";
         case Waited::stopped:
             return "was stopped";
         case Waited::answer:
-            return "its decoder answered nonsense and was ended";
+            return "its decoder sent a broken answer and was ended";
         case Waited::broke:
             break;
     }
-    return "its decoder broke off (" + how + ")";
+    return "its decoder ended too soon (" + how + ")";
 }
 
 }  // namespace raks::audio

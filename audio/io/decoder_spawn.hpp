@@ -32,8 +32,8 @@ enum class Waited : std::uint8_t {
     stopped  ///< the caller no longer wants one
 };
 
-/// Why a child was ended, in words: "its decoder broke off (killed by SIGSEGV)". `why`: what came
-/// of waiting for it, an answer being one that is nonsense; `how`: of end_child.
+/// Why a child was ended, in words: "its decoder ended too soon (killed by SIGSEGV)". `why`: what
+/// came of waiting for it, an answer being one that is nonsense; `how`: of end_child.
 [[nodiscard]] std::string why_ended(Waited why, const std::string& how);
 
 }  // namespace raks::audio

@@ -127,7 +127,7 @@ Expected<AudioFileReaderPtr> open_flac(const fs::path& path, const FileWindow& w
     if (length.starts.size() == 1) {
         DecoderInput input{path, length.window};
         if (length.claimed > 0 && length.found > length.claimed) {
-            input.note = "holds more sound than its head says; it is read to its end";
+            input.note = "holds more sound than its header says; it is read to its end";
         }
         return open_by_either(input);
     }
@@ -148,7 +148,7 @@ Expected<AudioFileReaderPtr> open_mended(const fs::path& path, const FileWindow&
     input.missing_seconds = head.missing_seconds;
     input.is_complete = head.is_complete;
     if (head.has_no_length) {
-        input.note = "its head gives no length; it is read to the end of the file";
+        input.note = "its header gives no length; it is read to the end of the file";
     }
     return open_by_either(input);
 }

@@ -41,8 +41,8 @@ Expected<std::unique_ptr<DeviceStream>> DeviceStream::open(Direction direction,
                                                            const StreamConfig& config) {
     const bool is_input = direction == Direction::input;
     const bool has_channels = (is_input ? device.input_channels : device.output_channels) > 0;
-    auto stream =
-        has_channels ? open_by_kind(direction, device, config) : fail("it has no such channels");
+    auto stream = has_channels ? open_by_kind(direction, device, config)
+                               : fail("it has no channels of this kind");
     if (!stream) {
         return fail(fmt::format("device {} cannot be opened as {}: {}",
                                 described(device),

@@ -143,18 +143,18 @@ std::string HearingSurvey::note() const {
     };
     if (heard.is_from_side) {
         append(
-            "one side is the other upside down, as from a wrongly wired cable; their difference "
-            "is heard");
+            "left and right cancel each other, as from a wrongly wired cable; their difference "
+            "is listened to");
     }
     if (heard.offset != 0.0F) {
-        append(fmt::format("lies {:.2f} beside zero, which is taken out",
+        append(fmt::format("its waveform lies {:.2f} off the middle; Raks listens without that",
                            static_cast<double>(heard.offset)));
     }
     if (heard.gain > 1.0F) {
-        append(fmt::format("is very soft; heard {:.0f} dB louder",
+        append(fmt::format("is very soft; Raks listens to it {:.0f} dB louder",
                            20.0 * std::log10(static_cast<double>(heard.gain))));
     } else if (heard.gain < 1.0F) {
-        append(fmt::format("is far above full scale; made {:.0f} dB softer",
+        append(fmt::format("is far above full scale; Raks listens to it {:.0f} dB softer",
                            -20.0 * std::log10(static_cast<double>(heard.gain))));
     }
     return text;

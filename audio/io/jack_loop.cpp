@@ -32,7 +32,7 @@ void disconnect_all(jack_client_t* client, const std::vector<std::string>& ports
 
 Expected<int> connect_jack_loop(const DeviceStream& output, const DeviceStream& input) {
     if (output.client_name().empty() || input.client_name().empty()) {
-        return fail("JACK: no two streams of ours run there");
+        return fail("JACK: Raks does not both play and listen there (--audio-system jack)");
     }
     const auto client = open_jack_client("raks-loop");
     if (!client || !*client) {
@@ -49,7 +49,7 @@ Expected<int> connect_jack_loop(const DeviceStream& output, const DeviceStream& 
         }
     }
     return pairs > 0 ? Expected<int>(static_cast<int>(pairs))
-                     : fail("JACK: our streams have no ports");
+                     : fail("JACK: Raks has no ports to connect there");
 }
 
 }  // namespace raks::audio

@@ -136,7 +136,7 @@ Expected<void> RoundTrip::pass_packets() {
         const int sent = avcodec_send_packet(decoder_.get(), packet_.get());
         av_packet_unref(packet_.get());
         if (sent < 0) {
-            return fail("a codec cannot decode what it coded");
+            return fail("FFmpeg's codec cannot decode what it encoded");
         }
         take_frames();
     }
@@ -151,7 +151,7 @@ Expected<void> RoundTrip::encode(const float* samples, int count) {
     frame_->ch_layout = AV_CHANNEL_LAYOUT_MONO;
     frame_->pts = coded_;
     if (av_frame_get_buffer(frame_.get(), 0) < 0) {
-        return fail("no memory for a codec");
+        return fail("out of memory");
     }
     auto* out = reinterpret_cast<float*>(frame_->extended_data[0]);
     std::copy_n(samples, count, out);
@@ -159,7 +159,8 @@ Expected<void> RoundTrip::encode(const float* samples, int count) {
     const int sent = avcodec_send_frame(encoder_.get(), frame_.get());
     av_frame_unref(frame_.get());
     coded_ += encoder_->frame_size;
-    return sent < 0 ? Expected<void>(fail("a codec refuses samples")) : pass_packets();
+    return sent < 0 ? Expected<void>(fail("FFmpeg's codec does not take the samples"))
+                    : pass_packets();
 }
 
 // Codes and decodes the samples. Silence follows them until the encoder's delay has passed, so that

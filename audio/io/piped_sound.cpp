@@ -145,14 +145,15 @@ std::string PipedSound::Decoder::why_not() const {
         return bytes->taken() == 0
                    ? name + ": nobody writes to this pipe; start the program that does first"
                    : name +
-                         ": stopped in the middle of its head; start the program that writes anew";
+                         ": stopped in the middle of its header; start the program that writes it "
+                         "again";
     }
     if (bytes->taken() == 0) {
         return name + ": is empty";
     }
     return name +
            ": is not sound that can be read from a pipe (WAV, FLAC, Ogg or MP3), or ends in "
-           "the middle of its head";
+           "the middle of its header";
 }
 
 Expected<void> PipedSound::Decoder::open() {
@@ -343,7 +344,8 @@ std::size_t PipedSound::read(std::span<float> interleaved) {
 }
 
 Expected<void> PipedSound::seek(std::int64_t /*frame*/) {
-    return fail(decoder_->name + ": cannot be sought");
+    return fail(decoder_->name +
+                ": comes through a pipe, in which there is no going back or ahead");
 }
 
 }  // namespace raks::audio

@@ -38,7 +38,7 @@ std::string format_name(int format) {
 std::string why_not_opened() {
     const std::string reason = sf_strerror(nullptr);
     const bool is_of_head = reason.find("nternal error") != std::string::npos;
-    return is_of_head ? "its head is damaged (rate, channels or kind of samples)" : reason;
+    return is_of_head ? "its header is damaged (rate, channels or kind of samples)" : reason;
 }
 
 // libsndfile reads through these, so that it sees the window only.

@@ -72,7 +72,7 @@ class PictureFolder final : public FilmReader {
         }
         auto picture = child_->next();
         if (!picture || !*picture) {
-            return picture ? fail(numbered.path.string() + ": is no picture") : picture;
+            return picture ? fail(numbered.path.string() + ": is not a picture") : picture;
         }
         if (const auto end = child_->next(); !end || *end) {
             return end ? fail(numbered.path.string() + ": holds several pictures, must be one")

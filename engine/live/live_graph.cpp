@@ -191,13 +191,14 @@ void LiveGraph::take_events(std::vector<std::string>& lines) {
                 break;
             case Kind::buffer_grown:
                 if (!has_said_growth_) {
-                    lines.push_back(fmt::format("the sound ran dry: its buffer is {} ms now",
-                                                event->milliseconds));
+                    lines.push_back(
+                        fmt::format("the sound had a gap: its buffer is longer from now on, {} ms",
+                                    event->milliseconds));
                 }
                 has_said_growth_ = true;
                 break;
             case Kind::source_gone:
-                trouble_ = fmt::format("{}: it has left JACK; waiting until it is back", event->id);
+                trouble_ = fmt::format("{}: has left JACK; waiting until it is back", event->id);
                 lines.push_back(trouble_);
                 break;
             case Kind::source_back:
@@ -349,7 +350,7 @@ Expected<void> LiveGraph::replace_dancers(const Cast& cast, MotionStage::Entry e
         return ok;
     }
     if (!motion_->replace(std::move(dancers), entry)) {
-        return fail("too many commands at once: the dancers stay");
+        return fail("too many keys at once: the dancers stay as they are; press again");
     }
     return {};
 }

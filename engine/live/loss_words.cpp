@@ -15,8 +15,8 @@ std::string losses_in_words(const LiveCounters& lost) {
         }
     };
     count(lost.xruns, "gap in the sound", "gaps in the sound");
-    count(lost.underruns, "wait for the file", "waits for the file");
-    count(lost.dropped_states, "moment that was not danced", "moments that were not danced");
+    count(lost.underruns, "pause to read the file", "pauses to read the file");
+    count(lost.dropped_states, "moment that the dancers missed", "moments that the dancers missed");
     return words;
 }
 

@@ -143,7 +143,7 @@ std::string DeviceOffsets::to_toml() const {
 Expected<void> DeviceOffsets::save() const {
     const fs::path file = path();
     if (file.empty()) {
-        return fail("there is no place for it: set HOME or XDG_STATE_HOME");
+        return fail("there is no folder to keep it in: set HOME or XDG_STATE_HOME");
     }
     auto made = make_folders(file.parent_path());
     return made ? write_file(file, to_toml()) : made;

@@ -109,7 +109,7 @@ Expected<std::string> as_text(std::string_view bytes) {
     }
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(zero);
-        return fail(fmt::format("line {}: holds a zero byte: it is damaged, or no playlist",
+        return fail(fmt::format("line {}: holds a zero byte: it is damaged, or not a playlist",
                                 1 + std::count(text.begin(), end, '\n')));
     }
     return text;
@@ -196,7 +196,7 @@ Expected<ListEntries> parse_pls(std::string_view text) {
         return !is_cut;
     });
     if (!is_list) {
-        return fail(fmt::format("line {}: does not say [playlist]: it is no .pls playlist",
+        return fail(fmt::format("line {}: does not say [playlist]: it is not a .pls playlist",
                                 std::max<std::size_t>(1, wrong_line)));
     }
     ListEntries list;
@@ -256,7 +256,7 @@ Expected<ListEntries> parse_xspf(std::string_view text) {
     }
     const pugi::xml_node tracks = child_of(child_of(document, "playlist"), "trackList");
     if (!tracks) {
-        return fail("has no <trackList> in a <playlist>: it is no .xspf playlist");
+        return fail("has no <trackList> in a <playlist>: it is not an .xspf playlist");
     }
     ListEntries list;
     for (const pugi::xml_node& track : tracks.children()) {

@@ -144,7 +144,7 @@ void Gathering::add_folder(const fs::path& folder) {
         if (is_first_visit(path)) {
             add_folder(path);
         } else {
-            skip(path, "leads back to a folder that is among these already");
+            skip(path, "leads back to a folder that is listed already");
         }
     }
 }
@@ -217,7 +217,7 @@ void Gathering::add_entry(const ListEntry& entry, const fs::path& list) {
     if (fs::is_directory(*place, ignored)) {
         return is_first_visit(*place)
                    ? add_folder(*place)
-                   : skip(*place, "leads back to a folder that is among these already");
+                   : skip(*place, "leads back to a folder that is listed already");
     }
     if (!fs::is_regular_file(*place, ignored)) {
         return skip(*place, "is not a plain file");

@@ -55,7 +55,7 @@ const std::array kKeys = std::to_array<Key>({
      &Settings::buffer_ms,
      0,
      2000,
-     "of the device; 0: 40 for a loudspeaker, longer when it runs dry"},
+     "of the device's buffer; 0: 40 for a loudspeaker, longer after a gap"},
     {"audio",
      "latency_offset_ms",
      &Settings::latency_offset_ms,
@@ -118,7 +118,7 @@ const std::array kKeys = std::to_array<Key>({
      &Settings::dress,
      0,
      0,
-     "of the mannequin, in every theme: dancer or mannequin"},
+     "what the mannequin wears, in every theme: dancer or mannequin"},
     {"picture",
      "camera",
      &Settings::camera,
@@ -130,7 +130,7 @@ const std::array kKeys = std::to_array<Key>({
      &Settings::calm,
      0,
      0,
-     "fewer cuts; light changes slowly, little, with no accent"},
+     "calmer pictures: fewer cuts, and light that changes slowly and little"},
     {"picture", "size", &Settings::size, 0, 0, "WIDTHxHEIGHT"},
     {"picture", "fps", &Settings::fps, 1, 240, "pictures a second"},
     {"picture", "quality", &Settings::quality, 0, 0, "auto, fast or high"},
@@ -234,7 +234,7 @@ class UnknownKeys {
         constexpr std::size_t kMostLines = 5;
         if (++count_ <= kMostLines) {
             const std::string name = printable(key, 60);
-            lines_.push_back(fmt::format("{}: key \"{}\" is unknown and passed over{}",
+            lines_.push_back(fmt::format("{}: key \"{}\" is unknown and ignored{}",
                                          where(file_, node.source()),
                                          name,
                                          suggestion(name, known)));
@@ -518,7 +518,7 @@ Expected<PictureSize> parse_size(std::string_view text) {
         }
     }
     return fail(
-        fmt::format("\"{}\" is no picture size; write WIDTHxHEIGHT, 16 to 7680 each, "
+        fmt::format("\"{}\" is not a picture size; write WIDTHxHEIGHT, 16 to 7680 each, "
                     "such as 1280x720",
                     text));
 }

@@ -79,9 +79,10 @@ Expected<fs::path> private_temporary_folder() {
     }
     if (!is_made && (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid() ||
                      (status.st_mode & 0777U) != 0700U)) {
-        return fail(folder.string() +
-                    ": is not used: it is no folder that only you may enter, and others may have "
-                    "put something there; set HOME or XDG_CACHE_HOME to a folder of yours");
+        return fail(
+            folder.string() +
+            ": is not used: it is not a folder that only you may enter, and others may have "
+            "put something there; set HOME or XDG_CACHE_HOME to a folder of yours");
     }
     return folder;
 }

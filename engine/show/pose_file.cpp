@@ -60,7 +60,7 @@ Expected<glm::quat> rotation_of(const Json& numbers, std::string_view bone) {
     }
     const float length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     if (!is_good || !(length > 1e-3F) || !std::isfinite(length)) {
-        return fail(fmt::format("{} is no rotation: four numbers x, y, z, w, not all 0", bone));
+        return fail(fmt::format("{} is not a rotation: four numbers x, y, z, w, not all 0", bone));
     }
     return glm::normalize(glm::quat(q[3], q[0], q[1], q[2]));
 }

@@ -103,7 +103,7 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
     std::string_view bytes = *file;
     std::uint64_t sum = 0;
     if (!bytes.starts_with(kBakedMagic) || bytes.size() < kBakedMagic.size() + sizeof sum) {
-        return fail("is no dance that was solved");
+        return fail("is not a dance that was solved");
     }
     // The hash is compared before anything is parsed.
     std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);

@@ -25,7 +25,7 @@ bool is_figure_name(std::string_view name) noexcept {
 }
 
 std::string why_no_figure_name(std::string_view name) {
-    return fmt::format("\"{}\" is no name for a file: letters a-z, digits, '-' and '_', 1 to {}",
+    return fmt::format("\"{}\" cannot name a file: letters a-z, digits, '-' and '_', 1 to {}",
                        printable(name, kLongestFigureName),
                        kLongestFigureName);
 }

@@ -86,9 +86,11 @@ TEST_F(LabelChecks, say_which_markers_lack_a_label) {
     labels_.back().picture = 1;                           // the last marker in cam2
     const auto said = doubts();
     ASSERT_EQ(said.size(), 3U);
-    EXPECT_EQ(said[0], "head: not labelled; found by colour alone, if at all");
-    EXPECT_EQ(said[1], "c7: labelled in one camera alone; a second one gives the place");
-    EXPECT_EQ(said[2], "right_toe: labelled in two cameras, but not at one moment");
+    EXPECT_EQ(said[0], "head: not labelled, so that they are found by colour alone, if at all");
+    EXPECT_EQ(said[1], "c7: labelled in one camera alone; label them in a second one");
+    EXPECT_EQ(said[2],
+              "right_toe: labelled in two cameras, but at different moments; label them in "
+              "pictures of one moment");
 }
 
 TEST_F(LabelChecks, doubt_a_label_on_a_spot_of_another_colour) {

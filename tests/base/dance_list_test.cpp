@@ -98,10 +98,10 @@ TEST(DanceList, every_fault_is_one_line_with_its_place) {
         {replaced("title", "titel"),
          "x.toml: line 7: key \"titel\" is unknown; did you mean \"title\"?"},
         {replaced("\"tango\"\ntitle", "\"../tango\"\ntitle"),
-         "x.toml: line 5: name: \"../tango\" is no name for a dance: letters a-z, digits, '-' and "
+         "x.toml: line 5: name: \"../tango\" cannot name a dance: letters a-z, digits, '-' and "
          "'_', 1 to 40 of them"},
         {replaced("\"tango\"\ntitle", "\"keep\"\ntitle"),
-         "x.toml: line 5: name: \"keep\" is no name for a dance: it means something else here"},
+         "x.toml: line 5: name: \"keep\" cannot name a dance: it means something else here"},
         {replaced("version = 1", "version = 2"),
          "x.toml: version must be a number up to 1; is Raks older than the file?"},
         {replaced("raks-dances", "raks-dance"), "x.toml: format must be \"raks-dances\""},

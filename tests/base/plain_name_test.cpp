@@ -21,10 +21,10 @@ TEST(PlainName, is_what_stays_in_its_folder) {
 }
 
 TEST(PlainName, says_why_in_one_printable_line) {
-    EXPECT_EQ(
-        why_no_plain_name("../\x1b\n"),
-        "\"../??\" is no name: 1 to 64 bytes, no '/', '\\' or control characters, not \".\" or "
-        "\"..\"");
+    EXPECT_EQ(why_no_plain_name("../\x1b\n"),
+              "\"../??\" cannot be a name: 1 to 64 bytes, no '/', '\\' or control characters, not "
+              "\".\" or "
+              "\"..\"");
 }
 
 }  // namespace

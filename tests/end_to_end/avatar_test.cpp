@@ -130,15 +130,17 @@ TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {
     give("smoke_spring.vrm", "Anna.vrm");
     expect_one_line({"avatar", "show", "Ana"}, 1, "no avatar \"Ana\": neither a file nor one of");
     ASSERT_TRUE(write_file(path("x.glb"), "glTF"));
-    expect_one_line({"avatar", "show", path("x.glb")}, 1, "x.glb: cut within its head");
+    expect_one_line(
+        {"avatar", "show", path("x.glb")}, 1, "x.glb: is cut off within its header; copy it again");
     ASSERT_TRUE(write_file(path("x.fbx"), "Kaydara"));
     expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: no FBX");
     ASSERT_TRUE(write_file(path("x.ply"), "ply"));
-    expect_one_line({"avatar", "show", path("x.ply")},
-                    1,
-                    "x.ply: no model that is read; .glb, .gltf, .vrm, .vrma, .3ds, .fbx, .dae and "
-                    ".obj are");
-    expect_one_line({"avatar", "show", "mannequin"}, 1, "the mannequin is no file");
+    expect_one_line(
+        {"avatar", "show", path("x.ply")},
+        1,
+        "x.ply: is not a model that Raks reads; it reads .glb, .gltf, .vrm, .vrma, .3ds, .fbx, "
+        ".dae and .obj");
+    expect_one_line({"avatar", "show", "mannequin"}, 1, "the mannequin has no file");
 }
 
 TEST_F(Avatar, pose_writes_the_mesh_of_a_posture) {
@@ -330,7 +332,7 @@ TEST_F(Avatar, that_is_not_there_or_cannot_be_seen_is_refused_by_every_command) 
 
 TEST_F(Avatar, too_large_for_the_memory_is_said_in_one_line) {
     give("smoke_spring.vrm", "Anna.vrm");
-    // Drivers of graphics do not look whether they got what they asked for.
+    // A graphics driver may crash where it gets no memory, as it does not check whether it did.
     for (const long megabytes : {250, 270, 290, 350, 430, 490, 570, 610, 650}) {
         ProcessPlan little = plan({"xbody", "Anna", "-o", path("x.png")});
         little.address_space_limit = megabytes << 20;
@@ -431,7 +433,7 @@ TEST_F(Avatar, one_of_several_that_cannot_be_read_is_told_in_one_line) {
         "render", path("song.wav"), "-o", path("x.mp4"), "--avatar", "Godette", "--avatar"};
     auto broken = film;
     broken.push_back(path("bad.glb"));
-    expect_one_line(broken, 1, "bad.glb: cut within its head");
+    expect_one_line(broken, 1, "bad.glb: is cut off within its header; copy it again");
     ASSERT_TRUE(write_file(path("x.toml"),
                            "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\n"
                            "hips = \"Hips\"\n"));

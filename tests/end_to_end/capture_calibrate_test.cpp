@@ -127,7 +127,7 @@ TEST_F(CaptureCalibrate, keeps_what_was_chosen_by_hand_when_run_calibrates_again
     fs::remove(path("take/rig.toml"));
     // It ends where there is no film to hear.
     const auto again = run({"run", path("take")});
-    EXPECT_TRUE(has(again.err, "raks: calibrate: to be done")) << again.err;
+    EXPECT_TRUE(has(again.err, "raks: calibrate: missing")) << again.err;
     EXPECT_FALSE(has(again.err, "no floor")) << again.err;
     EXPECT_EQ(text_of(path("take/rig.toml")), first);
     // And another choice counts from then on.

@@ -45,8 +45,8 @@ TEST_F(CaptureRun, does_what_is_missing_or_outdated_and_nothing_else) {
     const auto first = run({"run", path("take")});
     EXPECT_EQ(first.exit_code, 0) << first.err;
     EXPECT_TRUE(says(first, "raks: sync: given")) << first.err;
-    EXPECT_TRUE(says(first, "raks: track: to be done")) << first.err;
-    EXPECT_TRUE(says(first, "raks: report: to be done")) << first.err;
+    EXPECT_TRUE(says(first, "raks: track: missing")) << first.err;
+    EXPECT_TRUE(says(first, "raks: report: missing")) << first.err;
     EXPECT_TRUE(has("tracks.csv"));
     EXPECT_TRUE(has("dance.bvh"));
     EXPECT_TRUE(has("report.html"));
@@ -77,7 +77,7 @@ TEST_F(CaptureRun, ends_with_the_step_that_cannot_be_done) {
 TEST_F(CaptureRun, keeps_what_is_done_when_it_is_stopped) {
     const auto steps = plan({"run", path("take")});
     CapturedProcess raks(steps);
-    ASSERT_TRUE(raks.wait_for_output("raks: solve: to be done"));
+    ASSERT_TRUE(raks.wait_for_output("raks: solve: missing"));
     raks.send(SIGINT);
     const ProcessResult stopped = raks.wait();
     EXPECT_EQ(stopped.exit_code, 128 + SIGINT) << stopped.err;
@@ -89,7 +89,7 @@ TEST_F(CaptureRun, keeps_what_is_done_when_it_is_stopped) {
     const auto again = run({"run", path("take")});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(says(again, "raks: track: up to date")) << again.err;
-    EXPECT_TRUE(says(again, "raks: solve: to be done")) << again.err;
+    EXPECT_TRUE(says(again, "raks: solve: missing")) << again.err;
 }
 
 TEST_F(CaptureRun, figures_of_the_solve_are_json_on_request) {

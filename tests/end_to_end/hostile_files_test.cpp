@@ -50,7 +50,7 @@ TEST_F(HostileFiles, no_name_leads_out_of_its_folder) {
     for (const char* const name : {"../../evil", "/tmp/raks-evil", "..", "a/b", "\\u001b[2J"}) {
         write("x.toml", dance(name, 4));
         expect_one_line(
-            {"train", "figure", path("x.toml"), "-o", path("out/")}, 1, "is no name for a dance");
+            {"train", "figure", path("x.toml"), "-o", path("out/")}, 1, "cannot name a dance");
         expect_one_line({"stick", path("x.toml"), "-o", path("x.png")}, 1, "line 3: dance: ");
     }
     EXPECT_EQ(files(), std::vector<std::string>{"x.toml"});
@@ -64,7 +64,7 @@ TEST_F(HostileFiles, training_refuses_a_name_that_leads_out_before_it_begins) {
     for (const char* const option : {"--figure", "--dance"}) {
         auto command = train;
         command.insert(command.end(), {option, "../x"});
-        expect_one_line(command, 1, "\"../x\" is no name");
+        expect_one_line(command, 1, "\"../x\" cannot ");
     }
     EXPECT_EQ(files(), (std::vector<std::string>{"clip.bvh", "labels.tsv"}));
 }

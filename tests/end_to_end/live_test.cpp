@@ -214,7 +214,7 @@ TEST_F(LiveOnJack, a_client_that_leaves_is_waited_for) {
     ASSERT_TRUE(raks.wait_for_output("listening to"));
     player->send(SIGINT);
     player->wait();
-    ASSERT_TRUE(raks.wait_for_output("raks: it has left JACK; waiting until it is back"));
+    ASSERT_TRUE(raks.wait_for_output("raks: has left JACK; waiting until it is back"));
     player.emplace(with_jack(play));
     ASSERT_TRUE(player->wait_for_output("playing"));
     ASSERT_TRUE(raks.wait_for_output("listening to 'raks' (JACK) again"));

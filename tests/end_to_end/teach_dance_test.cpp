@@ -161,7 +161,7 @@ TEST_F(TeachDance, clips_that_tell_nothing_are_refused_in_one_line) {
     EXPECT_EQ(none.err,
               "raks: one go.bvh: nothing in it repeats; --once learns it as a single phrase\n");
     const ProcessResult nameless = run_here({"train", "figure", "one go.bvh"});
-    EXPECT_EQ(nameless.err, "raks: give the dance a name: -o NAME (one go can be none)\n");
+    EXPECT_EQ(nameless.err, "raks: give the dance a name: -o NAME (one go cannot be one)\n");
 }
 
 TEST_F(TeachDance, its_grammar_can_be_edited_and_is_kept) {
@@ -205,7 +205,7 @@ TEST_F(TeachDance, names_that_no_file_can_have_are_refused) {
         const ProcessResult result = run_here({"train", "figure", "my.toml", "-o=" + name});
         EXPECT_EQ(result.exit_code, 1) << name << "\n" << result.err;
         EXPECT_TRUE(is_one_error_line(result.err)) << result.err;
-        EXPECT_NE(result.err.find("is no name for a dance"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("cannot name a dance"), std::string::npos) << result.err;
     }
     expect_one_line(
         {"play", path("song.mp3"), "--dance", "tango"}, 2, "dance \"tango\" is unknown");

@@ -101,7 +101,7 @@ TEST_F(TrainGenre, shares_that_are_merged_give_the_model_of_one_machine) {
     expect_failure(train({music, "--shard", "3/2", "-o", path("x")}),
                    "--shard is '3/2', must be i/n: share 1 to n, n up to 1000");
     expect_failure(train({"merge", path("whole.json"), "-o", path("x.json")}),
-                   path("whole.json") + ": is no shard that raks train genre --shard made");
+                   path("whole.json") + ": was not made by raks train genre --shard");
 }
 
 TEST_F(TrainGenre, a_stopped_run_goes_on_from_its_cache) {

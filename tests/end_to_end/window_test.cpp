@@ -53,7 +53,7 @@ TEST_F(WindowTest, stays_at_the_end_of_the_last_file_and_plays_it_once_more) {
               10.0)
         << "the dancer is still there";
     press({"n"});
-    ASSERT_TRUE(raks.wait_for_output("no file follows (Q quits)"));
+    ASSERT_TRUE(raks.wait_for_output("there is no file after this one (Q quits)"));
     press({"space"});
     EXPECT_TRUE(ends(2)) << "it has played once more";
     press({"q"});

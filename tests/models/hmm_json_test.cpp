@@ -79,7 +79,7 @@ TEST(HmmJson, refuses_bad_files_with_one_line_that_names_the_field) {
         {replaced("\"full\"", "\"round\""),
          "covariance_type must be diagonal, full, tied or spherical"},
         {replaced("0.1", "1e999"), "holds a number that is out of range"},
-        {replaced("0.1", "null"), "means[0][0] is no number"},
+        {replaced("0.1", "null"), "means[0][0] is not a number"},
         {replaced("\"means\"", "\"maens\""), "means is missing"},
         {replaced("0.7", "-0.7"), "covariances[0] is not positive definite (or not symmetric)"},
         {std::string(100, '['), "brackets nest too deep: not a file of Raks"},

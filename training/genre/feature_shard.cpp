@@ -149,7 +149,7 @@ Expected<FeatureShard> load_shard(const fs::path& path) {
     if (*start != kShardMagic) {
         return fail(path.string() + (start->starts_with(kShardFormat)
                                          ? ": is of another version of this program; make it again"
-                                         : ": is no shard that raks train genre --shard made"));
+                                         : ": was not made by raks train genre --shard"));
     }
     const auto bytes = read_file(path, kMostShardBytes);
     if (!bytes) {

@@ -399,7 +399,7 @@ Expected<GenreSamples> load_samples(const fs::path& path) {
         return fail(path.string() +
                     (bytes->starts_with(kSamplesFormat)
                          ? ": is of another version of this program; train the model again"
-                         : ": is no sample that raks train genre kept"));
+                         : ": was not made by raks train genre"));
     }
     Unpacker unpacker(std::string_view(*bytes).substr(kSamplesMagic.size()));
     auto samples = unpack_samples(unpacker);

@@ -82,8 +82,9 @@ std::string faults_of(const MusicPlan& plan) {
                    "channels is " + std::to_string(plan.channels) + ", must be 1 or 2");
     faults.require(is_in(plan.first_beat_seconds, 0.0, kMaxSeconds),
                    "first_beat_seconds must be 0 to 3600");
-    faults.require(plan.form.empty() || plan.silences.empty(),
-                   "form and silences cannot both be given: stops are sections");
+    faults.require(
+        plan.form.empty() || plan.silences.empty(),
+        "form and silences cannot both be given: write a silence as a section, stop:BEATS");
     for (std::size_t i = 0; i < plan.form.size(); ++i) {
         faults.require(plan.form[i].beats >= 1 && plan.form[i].beats <= 10'000,
                        "form[" + std::to_string(i) + "].beats is " +
@@ -309,7 +310,7 @@ Expected<MusicTruth> generate(const MusicPlan& plan, const MusicSink& sink) {
         return sink(mono);
     };
     if (!mixer.render(silences, plan.channels == 1 ? MusicSink(to_mono) : sink)) {
-        return fail("the piece was ended before its end");
+        return fail("the music was stopped before its end");
     }
     MusicTruth truth;
     truth.beats = reference_beats(plan, curve, silences, form);

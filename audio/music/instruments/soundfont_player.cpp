@@ -297,7 +297,7 @@ Expected<void> SoundfontPlayer::load(std::span<const SoundfontFile> soundfonts) 
                                ? FLUID_FAILED
                                : fluid_synth_sfload(synth_->synth, name.c_str(), 1);
         if (number == FLUID_FAILED) {
-            return fail(soundfonts[i].name + ": not a soundfont that FluidSynth can load");
+            return fail(soundfonts[i].name + ": is not a soundfont that FluidSynth can load");
         }
         synth_->soundfonts.insert(synth_->soundfonts.begin(), number);
     }

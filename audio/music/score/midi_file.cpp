@@ -132,12 +132,12 @@ Expected<MidiFile> parse_midi(std::string_view bytes) {
     const auto length = file.number(4);
     auto header = length ? file.take(*length) : std::nullopt;
     if (!name || *name != kHeader || !header || header->size() < 6) {
-        return fail("not a MIDI file");
+        return fail("is not a MIDI file");
     }
     const std::uint32_t division = *MidiBytes(header->substr(4)).number(2);
     // With the upper bit set the division counts parts of a second.
     if (division == 0 || division >= 0x8000) {
-        return fail("MIDI in time code, not in beats");
+        return fail("is MIDI in time code, not in beats, which is not read");
     }
     MidiFile midi;
     midi.pulses_per_quarter = static_cast<int>(division);
@@ -159,7 +159,7 @@ Expected<MidiFile> parse_midi(std::string_view bytes) {
         }
     }
     if (tracks == 0) {
-        return fail("MIDI without a whole track");
+        return fail("has no complete track of MIDI");
     }
     // Stable: at one pulse a track's own order matters (program change before note).
     std::stable_sort(midi.events.begin(),

@@ -399,7 +399,8 @@ Expected<StyleBook> load_styles(const fs::path& folder) {
         return fail(folder.string() + ": cannot be listed: " + error.message());
     }
     if (paths.empty()) {
-        return fail(folder.string() + ": holds no .toml file: where are the styles of music?");
+        return fail(folder.string() +
+                    ": holds no .toml file, but styles of music are needed there");
     }
     // A folder lists its files in any order; the book's order must not depend on that.
     std::sort(paths.begin(), paths.end());

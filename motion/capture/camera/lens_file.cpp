@@ -45,7 +45,8 @@ Expected<void> read_lens_matrix(const YamlEntries& reader, std::string_view key,
     }
     const std::vector<double>& k = *m;
     if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
-        return fail(reader.complaint(key, "must be fx 0 cx 0 fy cy 0 0 1: skew is not known"));
+        return fail(
+            reader.complaint(key, "must be fx 0 cx 0 fy cy 0 0 1: a skewed lens cannot be used"));
     }
     if (!(k[0] > 0.0) || !(k[4] > 0.0)) {
         return fail(reader.complaint(key, "has a focal length that is not positive"));

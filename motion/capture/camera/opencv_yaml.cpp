@@ -149,8 +149,8 @@ Expected<std::vector<double>> YamlEntries::matrix(std::string_view key) const {
         data.remove_prefix(std::min(word.size() + 1, data.size()));
         const std::optional<double> number = finite_number(word);
         if (!number) {
-            return fail(
-                complaint(key, fmt::format("\"{}\" is no number", printable(trimmed(word), 40))));
+            return fail(complaint(
+                key, fmt::format("\"{}\" is not a number", printable(trimmed(word), 40))));
         }
         numbers.push_back(*number);
     }

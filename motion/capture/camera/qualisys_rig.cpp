@@ -35,7 +35,7 @@ class PartReader {
             fault_ =
                 text.empty()
                     ? fmt::format("has no {} {}", part, key)
-                    : fmt::format("{} {} is \"{}\", no number", part, key, printable(text, 40));
+                    : fmt::format("{} {} is \"{}\", not a number", part, key, printable(text, 40));
         }
         return is_number ? value : 0.0;
     }
@@ -54,11 +54,11 @@ Lens lens_of(PartReader& part, std::string& fault) {
     const double height = part.number("fov_video", "bottom") - top + 1.0;
     constexpr double kLargest = 65'535.0;
     if (!(width >= 1.0 && height >= 1.0 && width <= kLargest && height <= kLargest)) {
-        fault = "fov_video is no picture";
+        fault = "fov_video does not give the size of a picture";
         return {};
     }
     if (part.number("intrinsic", "skew") != 0.0) {
-        fault = "has a skewed lens, which is not known";
+        fault = "has a skewed lens, which cannot be used";
     }
     Lens lens;
     lens.width = static_cast<int>(width);

@@ -55,7 +55,7 @@ std::string fault_of(const Camera& camera) {
     }
     constexpr double kLargestError = 1e-3;
     if (rotation_error(camera.rotation) > kLargestError) {
-        return "its rotation is none: columns of length 1 at right angles are needed";
+        return "its rotation is not one: columns of length 1 at right angles are needed";
     }
     if (glm::determinant(camera.rotation) < 0.0) {
         return "its rotation is a mirror image (determinant -1): is an axis turned round?";

@@ -123,9 +123,10 @@ class RigReader {
         }
         if (const toml::node* const fisheye = table.get("fisheye");
             fisheye != nullptr && fisheye->value_or(false)) {
-            complaints_.complain(*fisheye,
-                                 "a fisheye's distortion is of another model; calibrate the camera "
-                                 "anew, with 8 coefficients");
+            complaints_.complain(
+                *fisheye,
+                "a fisheye lens is described by other numbers; calibrate the camera "
+                "anew, with 8 coefficients");
         }
         if (const toml::node* const distortions = table.get("distortions")) {
             read_distortion(*distortions, lens);
@@ -140,8 +141,9 @@ class RigReader {
         const glm::dmat3& m = *matrix;
         if (m[1][0] != 0.0 || m[0][1] != 0.0 || m[0][2] != 0.0 || m[1][2] != 0.0 ||
             m[2][2] != 1.0) {
-            complaints_.complain(
-                node, "matrix must be [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]: skew is not known");
+            complaints_.complain(node,
+                                 "matrix must be [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]: a skewed "
+                                 "lens cannot be used");
         }
         lens.fx = m[0][0];
         lens.fy = m[1][1];

@@ -61,9 +61,10 @@ Expected<std::vector<MarkerLabel>> read_labels(std::string_view text, const std:
     motion::TableRow row;
     if (!rows.next(row) || row.cells.size() != kLabelColumns || row.cells[0] != "camera" ||
         row.cells[2] != "marker") {
-        return fail(file +
-                    ": no labels: the first line must be camera, picture, marker, u, v, "
-                    "separated by tabs");
+        return fail(
+            file +
+            ": is not a table of labels: its first line must be camera, picture, marker, u, v, "
+            "separated by tabs");
     }
     std::vector<MarkerLabel> labels;
     while (rows.next(row)) {

@@ -108,10 +108,11 @@ class ObservationsReader {
             return {};
         }
         if (row.picture != next) {
-            return fail(fmt::format("picture {} where {} is due", row.picture, next));
+            return fail(
+                fmt::format("has picture {} where picture {} should follow", row.picture, next));
         }
         if (!pictures.empty() && !(row.time > pictures.back().time)) {
-            return fail(fmt::format("time {} does not go on", row.time));
+            return fail(fmt::format("its time {} does not come after the one before", row.time));
         }
         pictures.push_back({row.time, {}});
         return {};
@@ -163,8 +164,9 @@ Expected<Observations> read_observations(std::string_view text, const std::strin
     motion::TableRows rows(motion::without_byte_order_mark(text), ',');
     motion::TableRow row;
     if (!rows.next(row) || fmt::format("{}", fmt::join(row.cells, ",")) != kObservationsHead) {
-        return fail(fmt::format(
-            "{}: no table of detections: its first line must be {}", file, kObservationsHead));
+        return fail(fmt::format("{}: is not a table of detections: its first line must be {}",
+                                file,
+                                kObservationsHead));
     }
     ObservationsReader reader;
     while (rows.next(row)) {

@@ -97,7 +97,7 @@ class TracksReader {
         }
         const std::string& due = tracks_.markers[tracks_.places.size() % markers];
         if (row.marker != due) {
-            return fail(fmt::format("marker \"{}\" where \"{}\" is due",
+            return fail(fmt::format("has marker \"{}\" where \"{}\" should follow",
                                     printable(row.marker, 40),
                                     printable(due, 40)));
         }
@@ -116,7 +116,7 @@ class TracksReader {
         tracks_.frames_per_second = static_cast<double>(times_.size() - 1) / span;
         constexpr double kHighestRate = 1000.0;
         if (!(tracks_.frames_per_second > 0.0 && tracks_.frames_per_second <= kHighestRate)) {
-            return fail("its times do not go on");
+            return fail("its times do not rise");
         }
         return std::move(tracks_);
     }
@@ -151,7 +151,7 @@ std::string place_cells(const MarkerPlace& place) {
 Expected<std::size_t> frame_of(std::string_view cell, const Tracks& tracks) {
     const Expected<double> number = motion::number_of_cell(cell);
     if (!number || !(*number >= 0.0 && *number < static_cast<double>(tracks.frame_count))) {
-        return fail(fmt::format("frame \"{}\" is none of 0 to {}",
+        return fail(fmt::format("frame \"{}\" is not one of 0 to {}",
                                 printable(cell, 40),
                                 static_cast<double>(tracks.frame_count) - 1.0));
     }
@@ -165,7 +165,7 @@ Expected<Flag> flag_of(const std::vector<std::string_view>& cells, const Tracks&
     const auto* const doubt = std::find(std::begin(kDoubtNames), std::end(kDoubtNames), cells[0]);
     const auto marker = std::find(tracks.markers.begin(), tracks.markers.end(), cells[1]);
     if (doubt == std::end(kDoubtNames) || marker == tracks.markers.end()) {
-        return fail("names a doubt or a marker that there is not");
+        return fail("names a doubt or a marker that does not exist");
     }
     const Expected<std::size_t> first = frame_of(cells[2], tracks);
     const Expected<std::size_t> last = frame_of(cells[3], tracks);
@@ -204,8 +204,8 @@ Expected<Tracks> read_tracks(std::string_view text, const std::string& file) {
     motion::TableRows rows(motion::without_byte_order_mark(text), ',');
     motion::TableRow cells;
     if (!rows.next(cells) || fmt::format("{}", fmt::join(cells.cells, ",")) != kTracksHead) {
-        return fail(
-            fmt::format("{}: no table of tracks: its first line must be {}", file, kTracksHead));
+        return fail(fmt::format(
+            "{}: is not a table of tracks: its first line must be {}", file, kTracksHead));
     }
     TracksReader reader;
     while (rows.next(cells)) {
@@ -236,7 +236,7 @@ Expected<void> read_flags(std::string_view text, const std::string& file, Tracks
     motion::TableRow cells;
     if (!rows.next(cells) || cells.cells.size() != 4 || cells.cells[0] != "doubt") {
         return fail(file +
-                    ": no table of flags: its first line must be doubt, marker, first, last");
+                    ": is not a table of flags: its first line must be doubt, marker, first, last");
     }
     std::vector<Flag> flags;
     while (rows.next(cells)) {

@@ -325,9 +325,10 @@ Expected<SolvedDance> solve(const Tracks& tracks,
                             const MarkerSet& markers,
                             const SolveOptions& options) {
     if (tracks.frame_count < 3 || tracks.markers.size() < 6) {
-        return fail(fmt::format("{} markers over {} frames are no dance; 6 and 3 are needed",
-                                tracks.markers.size(),
-                                tracks.frame_count));
+        return fail(
+            fmt::format("{} markers over {} frames are too few; 6 markers and 3 frames are needed",
+                        tracks.markers.size(),
+                        tracks.frame_count));
     }
     if (options.height && !(*options.height >= kLeastHeight && *options.height <= kMostHeight)) {
         return fail(fmt::format(

@@ -270,9 +270,10 @@ Expected<std::vector<CameraMove>> read_moves(std::string_view text, const std::s
     motion::TableRow row;
     if (!rows.next(row) || row.cells.size() != kMoveColumns || row.cells[0] != "camera" ||
         row.cells[3] != "offset") {
-        return fail(file +
-                    ": no table of moved cameras: its first line must be camera, first, last, "
-                    "offset");
+        return fail(
+            file +
+            ": is not a table of moved cameras: its first line must be camera, first, last, "
+            "offset");
     }
     std::vector<CameraMove> moves;
     while (rows.next(row)) {

@@ -159,7 +159,7 @@ Expected<std::vector<Edit>> read_edits(std::string_view text, const std::string&
     std::vector<Edit> edits;
     for (const motion::Line& line : motion::split_lines(text)) {
         const Json json = Json::parse(line.text, nullptr, false);
-        Expected<Edit> edit = json.is_discarded() ? fail("is no JSON") : edit_of(json);
+        Expected<Edit> edit = json.is_discarded() ? fail("is not JSON") : edit_of(json);
         if (!edit) {
             return fail(fmt::format("{}: line {}: {}", file, line.number, edit.error().message));
         }

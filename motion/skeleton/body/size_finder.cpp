@@ -248,7 +248,7 @@ Expected<double> read_unit(std::string_view text) {
         }
     }
     return fail(
-        fmt::format("\"{}\" is no unit; known: m, dm, cm, mm, in, ft", printable(text, 20)));
+        fmt::format("\"{}\" is not a unit; known: m, dm, cm, mm, in, ft", printable(text, 20)));
 }
 
 std::string unit_name(double metres) {

@@ -122,7 +122,7 @@ Expected<glm::dvec3> read_axis(std::string_view text) {
             return kAxes[a];
         }
     }
-    return fail(fmt::format("\"{}\" is no axis; known: x, y, z, -x, -y, -z",
+    return fail(fmt::format("\"{}\" is not an axis; known: x, y, z, -x, -y, -z",
                             printable(std::string(text), 20)));
 }
 

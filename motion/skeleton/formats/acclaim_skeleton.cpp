@@ -104,7 +104,7 @@ class AsfReader {
             return parse_children(rest);
         }
         if (section_.empty()) {
-            return text_.fault(text_.line_number(), "is no Acclaim skeleton (.asf)");
+            return text_.fault(text_.line_number(), "is not an Acclaim skeleton (.asf)");
         }
         return {};
     }
@@ -170,7 +170,7 @@ class AsfReader {
             if (!freedom || bone.freedoms.size() == 7) {
                 return text_.fault(
                     text_.line_number(),
-                    fmt::format("\"{}\" is no degree of freedom (tx ty tz rx ry rz l)",
+                    fmt::format("\"{}\" is not a degree of freedom (tx ty tz rx ry rz l)",
                                 printable(word, 40)));
             }
             bone.freedoms.push_back(*freedom);
@@ -223,8 +223,9 @@ class AsfReader {
     Expected<void> take_axis(const glm::dvec3& angles, std::string_view order, AcclaimBone& bone) {
         const auto axis = turned(is_radians_ ? angles : glm::radians(angles), order);
         if (!axis) {
-            return text_.fault(text_.line_number(),
-                               fmt::format("\"{}\" is no order of axes", printable(order, 40)));
+            return text_.fault(
+                text_.line_number(),
+                fmt::format("\"{}\" is not an order of axes, such as xyz", printable(order, 40)));
         }
         bone.axis = *axis;
         return {};
@@ -249,13 +250,14 @@ class AsfReader {
         }
         const auto parent = bone_named(first);
         if (!parent) {
-            return text_.fault(line, fmt::format("no bone \"{}\"", printable(first, 40)));
+            return text_.fault(line, fmt::format("there is no bone \"{}\"", printable(first, 40)));
         }
         while (!trimmed(rest).empty()) {
             const std::string_view word = take_word(rest);
             const auto child = bone_named(word);
             if (!child || *child == 0) {
-                return text_.fault(line, fmt::format("no bone \"{}\"", printable(word, 40)));
+                return text_.fault(line,
+                                   fmt::format("there is no bone \"{}\"", printable(word, 40)));
             }
             if (bones_[*child].parent) {
                 return text_.fault(
@@ -269,7 +271,7 @@ class AsfReader {
 
     Expected<AcclaimSkeleton> build() {
         if (bones_.size() == 1) {
-            return text_.fault("has no bones: is no Acclaim skeleton (.asf)");
+            return text_.fault("has no bones: this is not an Acclaim skeleton (.asf)");
         }
         if (index_.size() != bones_.size()) {
             return text_.fault(index_.empty() ? "has no hierarchy" : "has two bones of one name");

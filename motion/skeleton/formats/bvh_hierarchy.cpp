@@ -219,7 +219,7 @@ class HierarchyReader {
         }
         const std::set<BvhChannel> distinct(channels.begin(), channels.end());
         if (distinct.size() != channels.size()) {
-            return text_.fault(line, "a channel stands twice");
+            return text_.fault(line, "a channel is named twice");
         }
         hierarchy_.channel_count += channels.size();
         return {};

@@ -50,7 +50,8 @@ class MotionReader {
             std::from_chars(frames_text->data(), frames_text->data() + frames_text->size(), frames);
         if (parsed.ec != std::errc{} || !(frames >= 0) || frames != std::floor(frames)) {
             return text_.fault(
-                frames_line, fmt::format("Frames: \"{}\" is no count", frames_text->substr(0, 40)));
+                frames_line,
+                fmt::format("Frames: \"{}\" is not a count", frames_text->substr(0, 40)));
         }
         if (frames > kMostDeclaredFrames) {
             return text_.fault(

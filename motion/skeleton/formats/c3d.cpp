@@ -65,7 +65,7 @@ class C3dReader {
         scale_ = number("POINT:SCALE").value_or(bytes_.number(12));
         is_float_ = scale_ < 0.0;
         if (!is_float_ && !(scale_ > 0.0 && std::isfinite(scale_))) {
-            return fail(fmt::format("its scale is {}, which cannot be", scale_));
+            return fail(fmt::format("its scale is {}, which is impossible", scale_));
         }
         number_size_ = is_float_ ? 4 : 2;
         const std::size_t analogue = bytes_.word(4);

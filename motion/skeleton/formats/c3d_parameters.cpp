@@ -94,12 +94,13 @@ std::string_view C3dBytes::text(std::size_t at, std::size_t length) const noexce
 Expected<C3dProcessor> c3d_processor(std::string_view bytes) {
     const C3dBytes head(bytes, C3dProcessor::intel);
     if (bytes.size() < 2 * kC3dBlock || head.byte(1) != kKey || head.byte(0) == 0) {
-        return fail("is no C3D, or cut off in its head");
+        return fail("is not C3D, or is cut off in its header");
     }
     const std::size_t section = (std::size_t{head.byte(0)} - 1) * kC3dBlock;
     const std::uint8_t processor = head.byte(section + 3);
     if (processor < 84 || processor > 86) {
-        return fail("is no C3D of a known computer (Intel, DEC, MIPS)");
+        return fail(
+            "is a C3D file of an unknown kind of computer; those of Intel, DEC and MIPS are read");
     }
     return static_cast<C3dProcessor>(processor);
 }

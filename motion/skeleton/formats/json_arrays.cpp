@@ -80,10 +80,10 @@ class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
         if (counts_.empty() && level_ == 1) {
             return true;  // a text in a number's place: as if it were not there
         }
-        return fault("holds something that is no number");
+        return fault("holds something that is not a number");
     }
     bool no_object() {
-        problem_ = "is JSON, but no object with arrays of numbers";
+        problem_ = "is JSON, but not an object with arrays of numbers";
         return false;
     }
 
@@ -103,7 +103,7 @@ class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
         }
         // An array after numbers in the same one has no shape.
         if (depth_ != 0 && counts_.size() >= depth_) {
-            return fault("is no even array");
+            return fault("has rows of different lengths");
         }
         if (!counts_.empty()) {
             ++counts_.back();
@@ -125,7 +125,7 @@ class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
             shape_[dimension] = counts_.back();
         } else if (shape_[dimension] != counts_.back()) {
             return fault(fmt::format(
-                "is no even array: rows of {} and of {}", shape_[dimension], counts_.back()));
+                "has rows of different lengths: {} and {}", shape_[dimension], counts_.back()));
         }
         counts_.pop_back();
         if (counts_.empty()) {
@@ -151,7 +151,7 @@ class ArrayTaker : public nlohmann::json_sax<nlohmann::json> {
             depth_ = counts_.size();
         }
         if (counts_.size() != depth_) {
-            return fault("is no even array");
+            return fault("has rows of different lengths");
         }
         ++counts_.back();
         array_.values.push_back(number);

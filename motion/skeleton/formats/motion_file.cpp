@@ -92,7 +92,7 @@ Expected<MotionFile> parse_motion(std::string_view bytes,
     const auto format = motion_format(bytes, address.file);
     if (!format) {
         return fail(fmt::format(
-            "{}: is no motion file of a known kind; known: {}", name, kKnownMotionFormats));
+            "{}: is not a motion file of a known kind; known: {}", name, kKnownMotionFormats));
     }
     if (*format != MotionFormat::model && !address.clip.empty()) {
         return fail(name + ": holds one clip, which has no name");
@@ -118,7 +118,7 @@ Expected<MotionFile> parse_motion(std::string_view bytes,
         case MotionFormat::csv:
             return as_file(parse_points_csv(bytes, name, options.frames_per_second));
     }
-    return fail(name + ": is of no known kind");
+    return fail(name + ": is not of a known kind");
 }
 
 Expected<MotionFile> read_motion(const fs::path& path, const MotionReadOptions& options) {
@@ -139,7 +139,7 @@ Expected<MotionClip> read_skeleton_motion(const fs::path& path, const MotionRead
         return std::move(*clip);
     }
     return fail(
-        fmt::format("{}: holds {} points, which must be solved to a body first "
+        fmt::format("{}: holds {} points, but joints are needed here "
                     "(raks stick shows them)",
                     path.string(),
                     std::get<PointClip>(*file).names.size()));

@@ -35,7 +35,7 @@ Expected<double> MotionText::number(std::string_view word, std::size_t line) con
     if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size()) {
         const bool is_comma = word.find(',') != std::string_view::npos;
         return fault(line,
-                     fmt::format("\"{}\" is no number{}",
+                     fmt::format("\"{}\" is not a number{}",
                                  word.substr(0, 40),
                                  is_comma ? " (decimal comma? numbers have decimal points)" : ""));
     }

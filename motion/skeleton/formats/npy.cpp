@@ -92,7 +92,7 @@ Expected<void> take_type(std::string_view text, NpyHead& head) {
 Expected<void> take_shape(std::string_view text, NpyHead& head) {
     const std::size_t end = text.find(')');
     if (text.empty() || text.front() != '(' || end == std::string_view::npos) {
-        return fail("has a damaged head: no shape");
+        return fail("has a damaged header: it gives no shape");
     }
     text = text.substr(1, end - 1);
     while (!trimmed(text).empty()) {
@@ -103,7 +103,7 @@ Expected<void> take_shape(std::string_view text, NpyHead& head) {
         const auto parsed = std::from_chars(word.data(), word.data() + word.size(), extent);
         if (word.empty() || parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size() ||
             head.shape.size() == kMostDimensions) {
-            return fail("has a damaged head: its shape is no list of counts");
+            return fail("has a damaged header: its shape is not a list of counts");
         }
         head.shape.push_back(extent);
     }
@@ -208,7 +208,7 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 
 Expected<NumberArray> parse_npy(std::string_view bytes) {
     if (bytes.substr(0, kMagic.size()) != kMagic || bytes.size() < 12) {
-        return fail("is no NumPy array");
+        return fail("is not a NumPy array");
     }
     const auto version = static_cast<unsigned char>(bytes[6]);
     const std::size_t length_bytes = version == 1 ? 2 : 4;  // of the head's length
@@ -218,7 +218,7 @@ Expected<NumberArray> parse_npy(std::string_view bytes) {
     const std::size_t head_size = little_endian(bytes.substr(8), length_bytes);
     bytes.remove_prefix(8 + length_bytes);
     if (head_size > bytes.size()) {
-        return fail("ends inside its head");
+        return fail("ends inside its header");
     }
     auto head = parse_head(bytes.substr(0, head_size));
     if (!head) {

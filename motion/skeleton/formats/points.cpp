@@ -46,7 +46,7 @@ Expected<void> check_points(PointClip& clip) {
         return fail("has no frames");
     }
     if (!(clip.frames_per_second >= kLeastRate && clip.frames_per_second <= kLargestRate)) {
-        return fail(fmt::format("its frame rate is {}, which cannot be; give it with --fps",
+        return fail(fmt::format("its frame rate is {}, which is impossible; give it with --fps",
                                 clip.frames_per_second));
     }
     bool is_seen = false;

@@ -111,7 +111,7 @@ class PointTableReader {
             std::size_t& place = columns_[at->second][static_cast<std::size_t>(found->axis)];
             if (place != kNone) {
                 return fault(row,
-                             fmt::format("the column \"{}\" stands twice", printable(title, 40)));
+                             fmt::format("the column \"{}\" is there twice", printable(title, 40)));
             }
             place = column;
         }
@@ -122,7 +122,8 @@ class PointTableReader {
     Expected<void> check_head(const TableRow& row, const std::vector<std::string>& others) {
         if (clip_.names.empty()) {
             return fault(
-                row, "no columns of places: they are called NAME_x, NAME_y, NAME_z (or NAME.x)");
+                row,
+                "has no columns of positions, which are called NAME_x, NAME_y, NAME_z (or NAME.x)");
         }
         for (std::size_t point = 0; point < columns_.size(); ++point) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -140,10 +141,11 @@ class PointTableReader {
             return plain == "frame" || plain == "frame#" || plain == "index" || plain.empty();
         });
         if (!others_.empty()) {
-            clip_.warnings.push_back(fmt::format("{} columns that are no places are left out: {}{}",
-                                                 others_.size(),
-                                                 others_[0],
-                                                 others_.size() > 1 ? ", ..." : ""));
+            clip_.warnings.push_back(
+                fmt::format("{} columns that are not positions are left out: {}{}",
+                            others_.size(),
+                            others_[0],
+                            others_.size() > 1 ? ", ..." : ""));
         }
         return {};
     }
@@ -156,10 +158,11 @@ class PointTableReader {
             const auto time = number_of_cell(row.cells[time_]);
             if (!time || !std::isfinite(*time)) {
                 return fault(row,
-                             fmt::format("\"{}\" is no time", printable(row.cells[time_], 40)));
+                             fmt::format("\"{}\" is not a time", printable(row.cells[time_], 40)));
             }
             if (!times_.empty() && *time <= times_.back()) {
-                return fault(row, fmt::format("the time {} does not go on", *time));
+                return fault(row,
+                             fmt::format("the time {} does not come after the one before", *time));
             }
             times_.push_back(*time);
         }

@@ -72,7 +72,7 @@ Expected<double> single(const FoundArray& found, double least, double largest) {
     }
     const double value = found.array->values[0];
     if (!(value >= least && value <= largest)) {
-        return fail(fmt::format("{} is {}, which cannot be", found.name, value));
+        return fail(fmt::format("{} is {}, which is impossible", found.name, value));
     }
     return value;
 }
@@ -225,7 +225,7 @@ class SmplReader {
             });
             if (bad != values.end()) {
                 const std::size_t row = values.size() / clip_.frame_count;
-                return fail(fmt::format("{}: frame {} holds {}, which cannot be",
+                return fail(fmt::format("{}: frame {} holds {}, which is impossible",
                                         found.name,
                                         static_cast<std::size_t>(bad - values.begin()) / row,
                                         *bad));

@@ -54,7 +54,7 @@ Expected<double> number_of_cell(std::string_view cell) {
     double value = 0.0;
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     if (parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size()) {
-        return fail(fmt::format("\"{}\" is no number", printable(cell, 40)));
+        return fail(fmt::format("\"{}\" is not a number", printable(cell, 40)));
     }
     return value;
 }

@@ -50,7 +50,7 @@ class TrcReader {
         TableRow axes;
         if (!rows_.next(mark) || lower(mark.cells[0]) != "pathfiletype" || !rows_.next(keys) ||
             !rows_.next(values) || !rows_.next(names) || !rows_.next(axes)) {
-            return fail(name_ + ": is no TRC, or ends inside its head");
+            return fail(name_ + ": is not TRC, or ends inside its header");
         }
         if (auto done = take_facts(keys, values); !done) {
             return done;

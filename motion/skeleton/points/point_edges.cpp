@@ -160,7 +160,7 @@ Expected<std::vector<std::string>> names_of(std::string_view line) {
 
 Expected<std::vector<NamedEdge>> parse_edges(std::string_view text, const std::string& name) {
     if (text.find('\0') != std::string_view::npos) {
-        return fail(name + ": is no text; an edges file has two names a line");
+        return fail(name + ": is not a text; an edges file has two names a line");
     }
     std::vector<NamedEdge> edges;
     for (const Line& line : split_lines(text)) {

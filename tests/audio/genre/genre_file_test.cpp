@@ -51,7 +51,7 @@ TEST(GenreFile, faults_are_said_with_their_field) {
         "model again");
     EXPECT_EQ(
         error_of(replaced(good, "\"salsa\"", "\"pol ka\"")),
-        "genres[0]: \"pol ka\" is no name for a dance: letters a-z, digits, '-' and '_', 1 to 40 "
+        "genres[0]: \"pol ka\" cannot name a dance: letters a-z, digits, '-' and '_', 1 to 40 "
         "of them");
     EXPECT_EQ(error_of(replaced(good, "\"salsa\"", "\"house\"")),
               "genres[1] is house, which is there before");

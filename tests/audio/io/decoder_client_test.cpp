@@ -84,8 +84,9 @@ TEST_F(Decoders, one_that_is_killed_ends_the_sound_with_one_line) {
     ::kill(decoders().front(), SIGKILL);
     // What it had decoded ahead may still come.
     EXPECT_LT(test::read_rest(**reader).size(), 2U * 6 * 48'000 - block.size());
-    EXPECT_NE((*reader)->warning().find("noise.wav: its decoder broke off (killed by SIGKILL) at "),
-              std::string::npos)
+    EXPECT_NE(
+        (*reader)->warning().find("noise.wav: its decoder ended too soon (killed by SIGKILL) at "),
+        std::string::npos)
         << (*reader)->warning();
     EXPECT_FALSE((*reader)->seek(0));
     EXPECT_TRUE(decoders().empty());
@@ -98,7 +99,8 @@ TEST_F(Decoders, one_that_is_stopped_is_ended_and_said) {
     ::kill(decoders().front(), SIGSTOP);
     const auto sought = (*reader)->seek(0);
     ASSERT_FALSE(sought);
-    EXPECT_NE(sought.error().message.find("its decoder hung and was ended"), std::string::npos)
+    EXPECT_NE(sought.error().message.find("its decoder did not answer in time and was ended"),
+              std::string::npos)
         << sought.error().message;
     EXPECT_TRUE(decoders().empty());
 }
@@ -149,7 +151,7 @@ TEST_F(Decoders, a_player_whose_decoder_is_killed_goes_on_with_the_next_file) {
     EXPECT_EQ(pulled.track, 1);
     const std::vector<std::string> messages = (*player)->take_messages();
     ASSERT_EQ(messages.size(), 1U);
-    EXPECT_NE(messages.front().find("its decoder broke off"), std::string::npos);
+    EXPECT_NE(messages.front().find("its decoder ended too soon"), std::string::npos);
 }
 
 TEST_F(Decoders, leave_no_descriptor_thread_or_process_behind) {
@@ -199,7 +201,7 @@ TEST_F(Decoders, what_answers_nonsense_is_ended) {
     const auto reader = open_audio_file(path);
     setenv("RAKS_DECODER", program.c_str(), 1);
     ASSERT_FALSE(reader);
-    EXPECT_NE(reader.error().message.find("broke off (exit code 0) before its first sound"),
+    EXPECT_NE(reader.error().message.find("ended too soon (exit code 0) before its first sound"),
               std::string::npos)
         << reader.error().message;
 }
@@ -251,8 +253,9 @@ TEST(DecoderClient, ends_a_decoder_that_answers_a_seek_with_samples_without_end)
     ASSERT_TRUE(client) << client.error().message;
     const auto sought = (*client)->seek(100);
     ASSERT_FALSE(sought);
-    EXPECT_EQ(sought.error().message,
-              "flood: its decoder answered nonsense and was ended at 0.00 s; the rest is left out");
+    EXPECT_EQ(
+        sought.error().message,
+        "flood: its decoder sent a broken answer and was ended at 0.00 s; the rest is left out");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_F(OddStreamsTest, a_wav_without_a_length_is_read_to_its_end) {
             EXPECT_EQ(mono->samples, whole.samples);
             EXPECT_EQ(mono->warning,
                       (folder_ / "open.wav").string() +
-                          ": its head gives no length; it is read to the end of the file");
+                          ": its header gives no length; it is read to the end of the file");
         }
     }
 }

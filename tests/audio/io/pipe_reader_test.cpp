@@ -156,9 +156,10 @@ TEST_F(Pipes, a_head_that_stops_or_ends_is_said) {
         const Writer writer(pipe_, wav.substr(0, 20), Writer::End::stays_open);
         const auto stopped = PipeReader::open(pipe_, quick_);
         ASSERT_FALSE(stopped);
-        EXPECT_EQ(stopped.error().message,
-                  pipe_.string() +
-                      ": stopped in the middle of its head; start the program that writes anew");
+        EXPECT_EQ(
+            stopped.error().message,
+            pipe_.string() +
+                ": stopped in the middle of its header; start the program that writes it again");
     }
     const std::string no_sound =
         pipe_.string() +

@@ -354,7 +354,7 @@ TEST_F(Films, whose_decoder_is_killed_end_there_and_say_so) {
         ++count;
     }
     EXPECT_LT(count, 20U);
-    EXPECT_NE((*reader)->warning().find("its decoder broke off (killed by SIGKILL) at 0."),
+    EXPECT_NE((*reader)->warning().find("its decoder ended too soon (killed by SIGKILL) at 0."),
               std::string::npos)
         << (*reader)->warning();
     EXPECT_FALSE((*reader)->next().value());

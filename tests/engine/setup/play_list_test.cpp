@@ -90,7 +90,7 @@ TEST_F(PlayLists, links_that_lead_back_end_and_are_named) {
     make("other/3.mp3");
     fs::create_directory_symlink("../other", folder_ / "m/other");
     EXPECT_EQ(played({folder_ / "m"}), (Names{"m/1.mp3", "m/other/3.mp3", "m/sub/2.mp3"}));
-    EXPECT_EQ(skipped_, (Names{"m/sub/up: leads back to a folder that is among these already"}));
+    EXPECT_EQ(skipped_, (Names{"m/sub/up: leads back to a folder that is listed already"}));
 }
 
 TEST_F(PlayLists, names_stand_for_themselves_and_are_not_looked_at) {
@@ -166,7 +166,7 @@ TEST_F(PlayLists, damaged_and_empty_lists_are_skipped_with_the_reason) {
               Names{"a.mp3"});
     EXPECT_EQ(skipped_,
               (Names{"empty.m3u: this playlist is empty",
-                     "bad.pls: line 1: does not say [playlist]: it is no .pls playlist"}));
+                     "bad.pls: line 1: does not say [playlist]: it is not a .pls playlist"}));
     EXPECT_EQ(played({folder_ / "bad.xspf"}).at(0).rfind("error: bad.xspf: line ", 0), 0U);
 }
 

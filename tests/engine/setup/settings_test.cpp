@@ -70,7 +70,8 @@ TEST(Settings, errors_name_file_line_key_and_what_is_meant) {
         {"[picture]\nfps = 1000\n", "config.toml: picture.fps is 1000, must be 1 to 240"},
         {"[picture]\nfps = nan\n", "config.toml: picture.fps is nan, must be 1 to 240"},
         {"[picture]\nsize = \"huge\"\n",
-         "config.toml: picture.size: \"huge\" is no picture size; write WIDTHxHEIGHT, 16 to 7680 "
+         "config.toml: picture.size: \"huge\" is not a picture size; write WIDTHxHEIGHT, 16 to "
+         "7680 "
          "each, such as 1280x720"},
         {"[dance]\nseed = -1\n", "config.toml: dance.seed is -1, must be 0 to 9000000000000000"},
         {"[picture]\noverlay = 1\n", "config.toml: line 2: picture.overlay must be true or false"},
@@ -96,10 +97,10 @@ TEST(Settings, unknown_keys_are_said_and_passed_over) {
         const char* note;
     } cases[] = {
         {"[picture]\nthme = \"stage\"\nfps = 60\n",
-         "x: line 2: key \"picture.thme\" is unknown and passed over; did you mean "
+         "x: line 2: key \"picture.thme\" is unknown and ignored; did you mean "
          "\"picture.theme\"?"},
         {"[pictures]\nfps = 30\n[picture]\nfps = 60\n",
-         "x: line 1: key \"pictures\" is unknown and passed over; did you mean \"picture\"?"},
+         "x: line 1: key \"pictures\" is unknown and ignored; did you mean \"picture\"?"},
     };
     for (const auto& c : cases) {
         Settings settings;

@@ -66,13 +66,13 @@ TEST(PoseFile, what_is_wrong_is_said) {
           BadFile{kTwo, "wav", R"(pose "wav" is unknown; did you mean "wave"?)"},
           BadFile{R"({"hips": [0, 0, 0]})",
                   "",
-                  "hips is no rotation: four numbers x, y, z, w, not all 0"},
+                  "hips is not a rotation: four numbers x, y, z, w, not all 0"},
           BadFile{R"({"head": [0, 0, 0, 0]})",
                   "",
-                  "head is no rotation: four numbers x, y, z, w, not all 0"},
+                  "head is not a rotation: four numbers x, y, z, w, not all 0"},
           BadFile{R"({"head": [0, 0, "1", 1]})",
                   "",
-                  "head is no rotation: four numbers x, y, z, w, not all 0"}}) {
+                  "head is not a rotation: four numbers x, y, z, w, not all 0"}}) {
         const auto pose = parse_pose(bad.text, bad.name);
         ASSERT_FALSE(pose) << bad.text;
         EXPECT_EQ(pose.error().message, bad.message) << bad.text;

@@ -92,7 +92,8 @@ TEST(FigureValidation, names_the_first_wrong_field) {
         {[](FigureModel& m) { m.parts[0].states[0].variance[2] = 1e-200; },
          "parts[0].states[0].variance[2] is 1e-200, must be 1e-12 or more"},
         {[](FigureModel& m) { m.dance = "../../evil"; },
-         "\"../../evil\" is no name: 1 to 64 bytes, no '/', '\\' or control characters, not \".\" "
+         "\"../../evil\" cannot be a name: 1 to 64 bytes, no '/', '\\' or control characters, not "
+         "\".\" "
          "or \"..\""},
         {[](FigureModel& m) {
              m.beats = 64;
@@ -200,7 +201,7 @@ TEST(FigureFile, refuses_bad_files_in_one_line) {
         {replaced("\"covariance\": [\n    [", "\"covariance\": [\n    [-"),
          "x.json: parts[0].covariance[0][0] is -"},
         {replaced("\"delta_mean\": [", "\"delta_mean\": [null,"),
-         "x.json: parts[0].states[0].delta_mean[0] is no number; train the figure again"},
+         "x.json: parts[0].states[0].delta_mean[0] is not a number; train the figure again"},
         {replaced("\"stays\"", "\"stage\""),
          "x.json: parts[0].stays is missing; train the figure again"},
         {replaced("\"occurrence\": [\n    [", "\"occurrence\": [\n    [-"),

@@ -101,8 +101,7 @@ TEST_F(GenreShard, shards_that_do_not_fit_are_named) {
     EXPECT_EQ(message(second),
               second.string() + ": is of another version of this program; make it again");
     ASSERT_TRUE(write_file(second, "something else"));
-    EXPECT_EQ(message(second),
-              second.string() + ": is no shard that raks train genre --shard made");
+    EXPECT_EQ(message(second), second.string() + ": was not made by raks train genre --shard");
 }
 
 TEST_F(GenreShard, cut_and_mangled_shards_are_refused_or_read_without_harm) {

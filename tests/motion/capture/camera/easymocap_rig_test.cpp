@@ -100,7 +100,7 @@ TEST(EasyMocapRig, that_is_bad_is_refused_in_one_line) {
         {parsed(with(kLenses, "K_01", "K_02"), kPlaces), "intri.yml: has no K_01"},
         {parsed(with(kLenses, "dist_left", "dust_left"), kPlaces), "has no dist_left one"},
         {parsed(with(kLenses, "W_01: 1280", "W_01: 0"), kPlaces), "W_01 must be a whole number"},
-        {parsed(with(kLenses, "639.500000", "nan"), kPlaces), "\"nan\" is no number"},
+        {parsed(with(kLenses, "639.500000", "nan"), kPlaces), "\"nan\" is not a number"},
         {parsed(with(kLenses, "639.500000", "1e9"), kPlaces), "principal point outside"},
         {parsed(kLenses, with(kPlaces, "T_01", "T_1")), "extri.yml: has no T_01"},
         {parsed(kLenses, with(kPlaces, "-1., 0., 0.", "1., 0., 0.")), "mirror image"},

@@ -249,7 +249,7 @@ TEST(FindBody, refuses_a_clip_without_frames) {
 TEST(ReadAxis, knows_six_axes) {
     EXPECT_EQ(read_axis("z").value(), glm::dvec3(0.0, 0.0, 1.0));
     EXPECT_EQ(read_axis("-x").value(), glm::dvec3(-1.0, 0.0, 0.0));
-    EXPECT_EQ(read_axis("w").error().message, "\"w\" is no axis; known: x, y, z, -x, -y, -z");
+    EXPECT_EQ(read_axis("w").error().message, "\"w\" is not an axis; known: x, y, z, -x, -y, -z");
     for (const std::string name : {"+x", "+y", "+z", "-x", "-y", "-z"}) {
         const glm::dvec3 axis = read_axis(name).value();
         EXPECT_EQ(axis_name(axis), name);
@@ -261,7 +261,8 @@ TEST(ReadUnit, knows_six_units) {
     EXPECT_EQ(read_unit("in").value(), 0.0254);
     EXPECT_EQ(unit_name(0.3048), "ft");
     EXPECT_EQ(unit_name(0.05644), "0.05644 m");
-    EXPECT_EQ(read_unit("km").error().message, "\"km\" is no unit; known: m, dm, cm, mm, in, ft");
+    EXPECT_EQ(read_unit("km").error().message,
+              "\"km\" is not a unit; known: m, dm, cm, mm, in, ft");
 }
 
 // The whole body up and down on parabolas, half a second in the air of each second.

@@ -56,7 +56,7 @@ TEST(Npy, what_is_no_array_of_numbers_is_refused) {
         std::string bytes;
         const char* part;
     } rows[] = {
-        {"PK", "is no NumPy array"},
+        {"PK", "is not a NumPy array"},
         {head("{'descr': '|O', 'fortran_order': False, 'shape': ()}"), "pickles are programs"},
         {head("{'descr': '<U7', 'fortran_order': False, 'shape': ()}"), "is of type \"<U7\""},
         {head("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (1,)}"), "columns"},
@@ -65,7 +65,7 @@ TEST(Npy, what_is_no_array_of_numbers_is_refused) {
         {head("{'descr': '<f8', 'fortran_order': False, 'shape': (4294967296, 4294967296, 2)}"),
          "but ends after 0"},
         {head("{'descr': '<f4', 'fortran_order': False, 'shape': (a,)}"), "no list of counts"},
-        {test::npy_bytes(kArray).substr(0, 40), "ends inside its head"},
+        {test::npy_bytes(kArray).substr(0, 40), "ends inside its header"},
     };
     for (const auto& row : rows) {
         EXPECT_NE(message(parse_npy(row.bytes)).find(row.part), std::string::npos)
@@ -146,10 +146,10 @@ TEST(JsonArrays, that_are_not_even_or_no_numbers_are_refused) {
         const char* text;
         const char* part;
     } rows[] = {
-        {"{\"a\": [[1,2],[3]]}", "a: is no even array: rows of 2 and of 1"},
-        {"{\"a\": [1,[2]]}", "a: is no even array"},
-        {"{\"a\": [[[1]],[2]]}", "a: is no even array"},
-        {"{\"a\": [\"1\"]}", "a: holds something that is no number"},
+        {"{\"a\": [[1,2],[3]]}", "a: has rows of different lengths: 2 and 1"},
+        {"{\"a\": [1,[2]]}", "a: has rows of different lengths"},
+        {"{\"a\": [[[1]],[2]]}", "a: has rows of different lengths"},
+        {"{\"a\": [\"1\"]}", "a: holds something that is not a number"},
         {"{\"a\": {\"x\": 1}}", "a: holds an object"},
         {"{\"a\": [[[[[[[[[1]]]]]]]]]}", "a: is nested too deeply"},
         {"[1,2]", "no object"},

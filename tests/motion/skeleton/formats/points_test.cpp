@@ -86,7 +86,7 @@ TEST(C3d, a_file_that_is_cut_off_gives_the_frames_that_are_there) {
     EXPECT_EQ(message(parse_c3d(whole.substr(0, data), "x.c3d", std::nullopt)),
               "x.c3d: has no frames: it is cut off");
     EXPECT_EQ(message(parse_c3d(whole.substr(0, 700), "x.c3d", std::nullopt)),
-              "x.c3d: is no C3D, or cut off in its head");
+              "x.c3d: is not C3D, or is cut off in its header");
 }
 
 // The samples of c3d.org (GPL: read there, never copied), with what is known of them.
@@ -153,8 +153,8 @@ TEST(Trc, what_is_damaged_is_refused_with_its_line) {
         const char* part;
     } rows[] = {
         {"", "x.trc: is no TRC"},
-        {std::string(kTrc.substr(0, 60)), "x.trc: is no TRC, or ends inside its head"},
-        {with(kTrc, "901", "x"), "x.trc: line 8: \"x\" is no number"},
+        {std::string(kTrc.substr(0, 60)), "x.trc: is not TRC, or ends inside its header"},
+        {with(kTrc, "901", "x"), "x.trc: line 8: \"x\" is not a number"},
         {with(kTrc, "LASI\t\t\tRASI", "\t\t\t"), "line 4: names 0 markers"},
         {with(kTrc, "0.25\n", "0.25\t7\n"), "line 7: 9 cells for 2 markers: at most 8"},
         {with(kTrc, "\n100\t", "\n0\t"), "its frame rate is 0"},
@@ -197,11 +197,11 @@ TEST(PointTable, what_does_not_fit_is_refused_with_its_line) {
         {"", "x.csv: is empty"},
         {"a,b,c\n1,2,3\n", "line 1: no columns of places: they are called NAME_x"},
         {with(kCsv, "RASI_y,", ""), "line 1: the point \"RASI\" has no column for y"},
-        {with(kCsv, "RASI_y", "RASI_x"), "the column \"RASI_x\" stands twice"},
+        {with(kCsv, "RASI_y", "RASI_x"), "the column \"RASI_x\" is there twice"},
         {with(kCsv, "0.25\n", "0.25,7\n"), "line 2: has 9 cells for 8 columns"},
-        {with(kCsv, "-2.25", "1;5"), "line 3: \"1;5\" is no number"},
-        {with(kCsv, "0.02", "0.01"), "line 4: the time 0.01 does not go on"},
-        {with(kCsv, "0.02", "x"), "line 4: \"x\" is no time"},
+        {with(kCsv, "-2.25", "1;5"), "line 3: \"1;5\" is not a number"},
+        {with(kCsv, "0.02", "0.01"), "line 4: the time 0.01 does not come after the one before"},
+        {with(kCsv, "0.02", "x"), "line 4: \"x\" is not a time"},
         {with(kCsv, "time", "label"),
          "x.csv: has no column \"time\", or only one row; give the rate"},
     };
@@ -217,7 +217,7 @@ TEST(PointTable, what_is_passed_over_is_said) {
     ASSERT_TRUE(clip) << message(clip);
     EXPECT_EQ(clip->warnings,
               (std::vector<std::string>{
-                  "1 columns that are no places are left out: mood",
+                  "1 columns that are not positions are left out: mood",
                   "its times are uneven by up to 0.0035 s; frames are taken as even"}));
 }
 

@@ -31,7 +31,7 @@ TEST(PointEdges, that_are_none_are_refused_with_their_line) {
          "x.txt: line 1: 3 names, must be two: the points that are joined, such as \"RHip RKnee\""},
         {"a a\n", "x.txt: line 1: joins \"a\" with itself"},
         {"a \"b\n", "x.txt: line 1: a quote is not closed"},
-        {std::string("a\0b c\n", 6), "x.txt: is no text; an edges file has two names a line"},
+        {std::string("a\0b c\n", 6), "x.txt: is not a text; an edges file has two names a line"},
     };
     for (const auto& [text, message] : cases) {
         const auto edges = parse_edges(text, "x.txt");
