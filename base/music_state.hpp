@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "base/beat_grid.hpp"
@@ -40,6 +41,16 @@ enum class MusicPart : std::uint8_t {
     build_up,   ///< it rises towards a drop
 };
 
+/// The words for MusicPart, in its order.
+inline constexpr std::array<std::string_view, 4> kMusicPartNames = {
+    "stopped", "playing", "breakdown", "build-up"};
+static_assert(kMusicPartNames.size() == static_cast<std::size_t>(MusicPart::build_up) + 1);
+
+/// The word for a part, the same in all documents, reports and pictures.
+[[nodiscard]] constexpr std::string_view music_part_name(MusicPart part) noexcept {
+    return kMusicPartNames[static_cast<std::size_t>(part)];
+}
+
 /// A change in what the music is doing.
 struct MusicEvent {
     /// What happens.
@@ -56,6 +67,16 @@ struct MusicEvent {
     StreamTime time{};       ///< when it sounds in the input
 };
 
+/// The words for MusicEvent::Kind, in its order.
+inline constexpr std::array<std::string_view, 7> kMusicEventNames = {
+    "none", "stop", "entry", "breakdown", "build-up", "drop", "end"};
+static_assert(kMusicEventNames.size() == static_cast<std::size_t>(MusicEvent::Kind::end) + 1);
+
+/// The word for a kind of event, the same in all documents, reports and pictures.
+[[nodiscard]] constexpr std::string_view music_event_name(MusicEvent::Kind kind) noexcept {
+    return kMusicEventNames[static_cast<std::size_t>(kind)];
+}
+
 /// A strong onset.
 struct MusicAccent {
     /// Where in the spectrum it is strongest.
@@ -69,6 +90,15 @@ struct MusicAccent {
     Band band = Band::middle;  ///< where it is strongest
     bool is_on_beat = false;   ///< within 70 ms of a beat
 };
+
+/// The words for MusicAccent::Band, in its order.
+inline constexpr std::array<std::string_view, 3> kMusicBandNames = {"low", "middle", "high"};
+static_assert(kMusicBandNames.size() == static_cast<std::size_t>(MusicAccent::Band::high) + 1);
+
+/// The word for a band, the same in all documents, reports and pictures.
+[[nodiscard]] constexpr std::string_view music_band_name(MusicAccent::Band band) noexcept {
+    return kMusicBandNames[static_cast<std::size_t>(band)];
+}
 
 /// What is known beyond a hop where the whole song was analysed before it sounds.
 struct Foresight {

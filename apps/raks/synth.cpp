@@ -67,7 +67,7 @@ std::string text_of(const std::vector<audio::ReferenceBeat>& beats) {
 std::string text_of(const std::vector<MusicEvent>& events) {
     std::string text;
     for (const MusicEvent& event : events) {
-        text += fmt::format("{:.6f}\t{}\n", to_seconds(event.time), audio::event_name(event.kind));
+        text += fmt::format("{:.6f}\t{}\n", to_seconds(event.time), music_event_name(event.kind));
     }
     return text;
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "apps/reports/form_names.hpp"
 #include "base/json.hpp"
 #include "base/printable.hpp"
 #include "base/statistics.hpp"
@@ -89,19 +88,19 @@ void AnalysisDocument::add_form(Json& document) const {
     }
     auto& parts = document["parts"] = Json::array();
     for (const PartPoint& point : parts_) {
-        parts.push_back({{"time", point.time}, {"part", name_of(point.part)}});
+        parts.push_back({{"time", point.time}, {"part", music_part_name(point.part)}});
     }
     auto& events = document["events"] = Json::array();
     for (const ToldEvent& told : events_) {
         events.push_back({{"time", rounded(told.event.time)},
-                          {"event", name_of(told.event.kind)},
+                          {"event", music_event_name(told.event.kind)},
                           {"told", rounded(told.told)}});
     }
     auto& accents = document["accents"] = Json::array();
     for (const MusicAccent& accent : accents_) {
         accents.push_back({{"time", rounded(accent.time)},
                            {"strength", shortened(accent.strength)},
-                           {"band", name_of(accent.band)},
+                           {"band", music_band_name(accent.band)},
                            {"on_beat", accent.is_on_beat}});
     }
 }

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "apps/reports/form_names.hpp"
 #include "apps/reports/text_table.hpp"
 #include "base/json.hpp"
 #include "base/statistics.hpp"
@@ -47,7 +46,7 @@ Row row_of(std::string_view name, const audio::EventScore& score, double minutes
 template <typename Take>
 void each_kind(const audio::FormScores& scores, const Take& take) {
     for (std::size_t i = 1; i < scores.size(); ++i) {
-        take(apps::name_of(static_cast<MusicEvent::Kind>(i)), scores[i]);
+        take(music_event_name(static_cast<MusicEvent::Kind>(i)), scores[i]);
     }
     take(std::string_view("all"), total_of(scores));
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "apps/reports/form_names.hpp"
 #include "apps/reports/plotter.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +55,7 @@ void Plotter::form() {
     }
     for (const MusicPart part :
          {MusicPart::build_up, MusicPart::breakdown, MusicPart::playing, MusicPart::stopped}) {
-        sheet_.legend(panel, kPartColours[static_cast<std::size_t>(part)], name_of(part));
+        sheet_.legend(panel, kPartColours[static_cast<std::size_t>(part)], music_part_name(part));
     }
     // Names go down row by row where they would lie over each other.
     double last = -kNameWidth;
@@ -70,7 +69,7 @@ void Plotter::form() {
         sheet_.raw(fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\">{}</text>\n",
                                at + 3.0,
                                panel.top + 13.0 + 15.0 * row,
-                               name_of(event.kind)));
+                               music_event_name(event.kind)));
     }
     stroke(lines, kRed, 1.2);
     sheet_.end_panel();
@@ -84,7 +83,7 @@ void Plotter::accents() {
     sheet_.tick(panel, 1.0, "1");
     sheet_.legend(panel, kRed, "off the beat");
     for (std::size_t i = kBandColours.size(); i-- > 0;) {
-        sheet_.legend(panel, kBandColours[i], name_of(static_cast<MusicAccent::Band>(i)));
+        sheet_.legend(panel, kBandColours[i], music_band_name(static_cast<MusicAccent::Band>(i)));
     }
     std::array<std::string, kBandColours.size()> paths;
     std::string off_beat;

@@ -10,9 +10,6 @@
 
 namespace raks::audio {
 
-/// Kinds of MusicEvent, "none" included.
-inline constexpr std::size_t kEventKinds = 7;
-
 /// An event that a piece was made with.
 struct TrueEvent {
     MusicEvent event;   ///< what happens, and when
@@ -34,8 +31,8 @@ struct EventScore {
     std::vector<double> delays;   ///< seconds from the truth to when they were told
 };
 
-/// By kind.
-using FormScores = std::array<EventScore, kEventKinds>;
+/// By kind of MusicEvent, "none" included.
+using FormScores = std::array<EventScore, kMusicEventNames.size()>;
 
 /// Adds the scores of one piece. Each told event matches one at most. No fault are: the entry of a
 /// drop that comes out of a stop, and what is told of the sound that rings after the end. `truth`

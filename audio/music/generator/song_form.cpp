@@ -25,9 +25,6 @@ constexpr std::array<std::string_view, 11> kSectionNames{"intro",
                                                          "hit-stop",
                                                          "ending",
                                                          "fade-out"};
-// In the order of MusicEvent::Kind.
-constexpr std::array<std::string_view, 7> kEventNames{
-    "none", "stop", "entry", "breakdown", "build-up", "drop", "end"};
 
 // "full:32" as a section.
 Expected<FormSection> parse_section(std::string_view text) {
@@ -132,10 +129,6 @@ class FormWriter {
 }  // namespace
 
 std::span<const std::string_view> section_names() noexcept { return kSectionNames; }
-
-std::string_view event_name(MusicEvent::Kind kind) noexcept {
-    return kEventNames[static_cast<std::size_t>(kind)];
-}
 
 MusicPart part_of(SectionKind kind) noexcept {
     switch (kind) {

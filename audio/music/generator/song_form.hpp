@@ -69,7 +69,4 @@ struct PlayedSection {
 /// entry. The end lies on the last chord, or where the music is cut or faded out.
 [[nodiscard]] std::vector<MusicEvent> events_of(std::span<const PlayedSection> sections);
 
-/// Names of events in the order of MusicEvent::Kind: "none", "stop", "entry", "build-up" and so on.
-[[nodiscard]] std::string_view event_name(MusicEvent::Kind kind) noexcept;
-
 }  // namespace raks::audio
