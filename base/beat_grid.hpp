@@ -46,6 +46,8 @@ struct BeatGrid {
         const double inside = from_origin - bar * std::floor(from_origin / bar) - 1e-6;
         return inside < 0.0 ? 0.0 : inside;
     }
+
+    friend bool operator==(const BeatGrid&, const BeatGrid&) = default;
 };
 
 }  // namespace raks

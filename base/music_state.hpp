@@ -23,6 +23,7 @@ struct BeatEvent {
     StreamTime time{};  ///< when it sounds in the input, corrected for the delays of the analysis
     int bar_position = 0;     ///< 1..beats_per_bar; 0: the bar is not known
     float confidence = 0.0F;  ///< [0, 1]
+    friend bool operator==(const BeatEvent&, const BeatEvent&) = default;
 };
 
 /// How much the music gives, from its loudness, low band, density of onsets and brightness. Each
@@ -31,6 +32,7 @@ struct MusicEnergy {
     float now = 0.5F;     ///< of about half a second; falls to 0 in silence
     float lately = 0.5F;  ///< of the last 4 s; in a song that is known, of the 4 s around the hop
     float longer = 0.5F;  ///< of the last 30 s
+    friend bool operator==(const MusicEnergy&, const MusicEnergy&) = default;
 };
 
 /// What the music is doing at a hop.
@@ -65,6 +67,7 @@ struct MusicEvent {
     };
     Kind kind = Kind::none;  ///< what happens
     StreamTime time{};       ///< when it sounds in the input
+    friend bool operator==(const MusicEvent&, const MusicEvent&) = default;
 };
 
 /// The words for MusicEvent::Kind, in its order.
@@ -89,6 +92,7 @@ struct MusicAccent {
     float strength = 0.0F;     ///< (0, 1] against the strongest of the last half minute
     Band band = Band::middle;  ///< where it is strongest
     bool is_on_beat = false;   ///< within 70 ms of a beat
+    friend bool operator==(const MusicAccent&, const MusicAccent&) = default;
 };
 
 /// The words for MusicAccent::Band, in its order.
@@ -109,6 +113,7 @@ struct Foresight {
     float energy = 0.5F;
     /// The events that come next, the nearer one first; kind none: no more.
     std::array<MusicEvent, 2> events{};
+    friend bool operator==(const Foresight&, const Foresight&) = default;
 };
 
 /// What the analyzer knows at one hop (10 ms): the only data that passes from audio to motion.
@@ -142,6 +147,24 @@ struct MusicState {
     MusicAccent accent;  ///< that became known at this hop; strength 0: there was none
 
     Foresight ahead;  ///< of a song that is known before it sounds
+
+    /// The same music, later by this: all times move, the hop's number stays. A field that is a
+    /// time has its line here.
+    constexpr void move_by(Nanos shift) noexcept {
+        time += shift;
+        audio_end += shift;
+        grid.anchor_time += shift;
+        beat.time += shift;
+        predicted += shift;
+        event.time += shift;
+        accent.time += shift;
+        ahead.begins += shift;
+        ahead.ends += shift;
+        for (MusicEvent& coming : ahead.events) {
+            coming.time += shift;
+        }
+    }
+    friend bool operator==(const MusicState&, const MusicState&) = default;
 };
 static_assert(std::is_trivially_copyable_v<MusicState>);
 

@@ -168,20 +168,9 @@ MusicState SongPlan::at(StreamTime place, HopIndex hop) const noexcept RAKS_NONB
         state.part = MusicPart::stopped;
         state.energy.now = 0.0F;
     }
-    const Nanos shift = time_of_hop(hop) - place;
+    state.move_by(time_of_hop(hop) - place);
     state.hop = hop;
     state.time = time_of_hop(hop);
-    state.audio_end += shift;
-    state.grid.anchor_time += shift;
-    state.beat.time += shift;
-    state.predicted += shift;
-    state.ahead.begins += shift;
-    state.ahead.ends += shift;
-    state.event.time += shift;
-    state.accent.time += shift;
-    for (MusicEvent& event : state.ahead.events) {
-        event.time += shift;
-    }
     return state;
 }
 

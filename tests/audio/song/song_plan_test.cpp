@@ -38,6 +38,31 @@ TEST(SongPlan, has_a_state_for_each_hop_of_the_song) {
     }
 }
 
+// A field that is added to MusicState comes through the second pass as the stream has it.
+TEST(SongPlan, rewrites_beats_form_and_dance_and_keeps_all_else_of_the_stream) {
+    const std::vector<MusicState> stream = test::listen(salsa());
+    const SongPlan& plan = plan_of_salsa();
+    ASSERT_GT(stream.size(), 2'300U);
+    for (std::size_t i = 0; i < std::min(stream.size(), plan.states.size()); ++i) {
+        const MusicState& known = plan.states[i];
+        MusicState wanted = stream[i];
+        wanted.grid = known.grid;
+        wanted.has_beat = known.has_beat;
+        wanted.beat = known.beat;
+        wanted.has_predicted = known.has_predicted;
+        wanted.predicted = known.predicted;
+        wanted.genre_log_probability = known.genre_log_probability;
+        wanted.genre_class = known.genre_class;
+        wanted.genre = known.genre;
+        wanted.energy = known.energy;
+        wanted.part = known.part;
+        wanted.event = known.event;
+        wanted.accent = known.accent;
+        wanted.ahead = known.ahead;
+        ASSERT_TRUE(known == wanted) << i;
+    }
+}
+
 TEST(SongPlan, knows_every_beat_and_the_dance_from_the_first_hop_on) {
     const SongPlan& plan = plan_of_salsa();
     const test::BeatScore score = test::score_beats(plan.states, salsa().beats, 0.0, 24.0);
@@ -103,6 +128,9 @@ TEST(SongPlan, a_place_is_given_at_any_stream_time) {
     const MusicState state = plan.at(place, 77);
     EXPECT_EQ(state.hop, 77);
     EXPECT_EQ(state.time, time_of_hop(77));
+    const Nanos shift = state.time - place;
+    EXPECT_EQ(state.audio_end - plan.states[1'000].audio_end, shift);
+    EXPECT_EQ(state.ahead.ends - plan.states[1'000].ahead.ends, shift);
     EXPECT_NEAR(state.grid.beats_at(state.time).count(),
                 plan.states[1'000].grid.beats_at(place).count(),
                 1e-6);
