@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "base/json.hpp"
 #include "base/printable.hpp"
@@ -12,7 +13,7 @@
 namespace raks::apps {
 namespace {
 
-// Hops between two points: tempo, genre and loudness come twice a second.
+// Hops between two points of what comes twice a second.
 constexpr HopIndex kHopsPerPoint = 50;
 
 // To microseconds, finer than any beat: more digits only lengthen the document.
@@ -21,12 +22,36 @@ double rounded(StreamTime time) { return rounded(to_seconds(time)); }
 // Four decimals of a confidence or posterior.
 double shortened(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
 
+Json json_of(const MusicField& field, const MusicValue& value) {
+    if (const auto* const number = std::get_if<double>(&value)) {
+        const double scale = std::pow(10.0, field.decimals);
+        return std::round(*number * scale) / scale;
+    }
+    return std::visit([](const auto& other) { return Json(other); }, value);
+}
+
 }  // namespace
 
 AnalysisDocument::AnalysisDocument(std::string file,
                                    SampleRate rate,
                                    std::vector<std::string> genres)
     : file_(std::move(file)), rate_(rate), genres_(std::move(genres)) {}
+
+// `written`: by this row so far.
+bool AnalysisDocument::is_due(const MusicRow& row,
+                              const MusicState& state,
+                              const std::vector<MusicPoint>& written) {
+    switch (row.written) {
+        case Written::twice_a_second:
+            return state.hop % kHopsPerPoint == 0;
+        case Written::when_it_changes:
+            return written.empty() ||
+                   written.back().values.front() != row.fields.front().value(state);
+        case Written::when_it_happens:
+            return row.happens(state);
+    }
+    return false;
+}
 
 // What happens is taken at every hop, the slow quantities at every fiftieth.
 void AnalysisDocument::add(const MusicState& state) {
@@ -36,14 +61,15 @@ void AnalysisDocument::add(const MusicState& state) {
     if (state.has_predicted) {
         predicted_.push_back(rounded(state.predicted));
     }
-    if (parts_.empty() || parts_.back().part != state.part) {
-        parts_.push_back({rounded(state.time), state.part});
-    }
-    if (state.event.kind != MusicEvent::Kind::none) {
-        events_.push_back({state.event, state.time});
-    }
-    if (state.accent.strength > 0.0F) {
-        accents_.push_back(state.accent);
+    for (std::size_t i = 0; i < kMusicTable.size(); ++i) {
+        const MusicRow& row = kMusicTable[i];
+        if (is_due(row, state, music_[i])) {
+            MusicPoint& point = music_[i].emplace_back();
+            point.time = rounded(row.time(state));
+            for (std::size_t field = 0; field < row.used().size(); ++field) {
+                point.values[field] = row.fields[field].value(state);
+            }
+        }
     }
     // The document has one metre: the last one.
     beats_per_bar_ = state.grid.beats_per_bar;
@@ -53,8 +79,6 @@ void AnalysisDocument::add(const MusicState& state) {
     const double time = rounded(state.time);
     tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
     genre_.push_back({time, state.genre_class, state.genre_log_probability});
-    loudness_.push_back({time, state.loudness_lufs});
-    energy_.push_back({time, state.energy});
 }
 
 void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
@@ -77,31 +101,17 @@ void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
     }
 }
 
-// Energy, parts, events and accents.
-void AnalysisDocument::add_form(Json& document) const {
-    auto& energy = document["energy"] = Json::array();
-    for (const EnergyPoint& point : energy_) {
-        energy.push_back({{"time", point.time},
-                          {"now", shortened(point.energy.now)},
-                          {"lately", shortened(point.energy.lately)},
-                          {"longer", shortened(point.energy.longer)}});
-    }
-    auto& parts = document["parts"] = Json::array();
-    for (const PartPoint& point : parts_) {
-        parts.push_back({{"time", point.time}, {"part", music_part_name(point.part)}});
-    }
-    auto& events = document["events"] = Json::array();
-    for (const ToldEvent& told : events_) {
-        events.push_back({{"time", rounded(told.event.time)},
-                          {"event", music_event_name(told.event.kind)},
-                          {"told", rounded(told.told)}});
-    }
-    auto& accents = document["accents"] = Json::array();
-    for (const MusicAccent& accent : accents_) {
-        accents.push_back({{"time", rounded(accent.time)},
-                           {"strength", shortened(accent.strength)},
-                           {"band", music_band_name(accent.band)},
-                           {"on_beat", accent.is_on_beat}});
+void AnalysisDocument::add_music(Json& document) const {
+    for (std::size_t i = 0; i < kMusicTable.size(); ++i) {
+        const MusicRow& row = kMusicTable[i];
+        auto& points = document[row.name] = Json::array();
+        for (const MusicPoint& point : music_[i]) {
+            Json entry = {{"time", point.time}};
+            for (std::size_t field = 0; field < row.used().size(); ++field) {
+                entry[row.fields[field].key] = json_of(row.fields[field], point.values[field]);
+            }
+            points.push_back(std::move(entry));
+        }
     }
 }
 
@@ -137,12 +147,7 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         genre.push_back(
             {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
     }
-    auto& loudness = document["loudness"] = Json::array();
-    for (const LoudnessPoint& point : loudness_) {
-        loudness.push_back({{"time", point.time},
-                            {"lufs", std::round(static_cast<double>(point.lufs) * 10) / 10}});
-    }
-    add_form(document);
+    add_music(document);
     // A file's name need not be UTF-8; invalid bytes become the replacement character.
     return document.text(2) + "\n";
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
-#include "base/json.hpp"
 
+#include "apps/reports/music_table.hpp"
+#include "base/json.hpp"
 #include "base/music_state.hpp"
 #include "base/time.hpp"
 
@@ -42,26 +44,16 @@ class AnalysisDocument {
         std::size_t label;  ///< class
         GenreLogProbabilities log_probability;
     };
-    struct LoudnessPoint {
+    /// What a row of kMusicTable says once.
+    struct MusicPoint {
         double time;
-        float lufs;
-    };
-    struct EnergyPoint {
-        double time;
-        MusicEnergy energy;
-    };
-    /// From this time on.
-    struct PartPoint {
-        double time;
-        MusicPart part;
-    };
-    /// An event, and the hop at which it was told.
-    struct ToldEvent {
-        MusicEvent event;
-        StreamTime told;
+        std::array<MusicValue, MusicRow::kMostFields> values;
     };
 
-    void add_form(Json& document) const;
+    [[nodiscard]] static bool is_due(const MusicRow& row,
+                                     const MusicState& state,
+                                     const std::vector<MusicPoint>& written);
+    void add_music(Json& document) const;
     [[nodiscard]] double median_bpm() const;
 
     std::string file_;
@@ -71,11 +63,7 @@ class AnalysisDocument {
     std::vector<BeatEvent> beats_;
     std::vector<double> predicted_;
     std::vector<GenrePoint> genre_;
-    std::vector<LoudnessPoint> loudness_;
-    std::vector<EnergyPoint> energy_;
-    std::vector<PartPoint> parts_;
-    std::vector<ToldEvent> events_;
-    std::vector<MusicAccent> accents_;
+    std::array<std::vector<MusicPoint>, kMusicTable.size()> music_;  // by row
     int beats_per_bar_ = 4;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "base/file.hpp"
 
@@ -32,9 +33,12 @@ PlotColumn merged(const PlotColumn& a, const PlotColumn& b) {
     both.threshold = std::max(a.threshold, b.threshold);
     both.bpm += b.bpm;
     both.confidence += b.confidence;
-    both.energy += b.energy;
-    both.energy_lately += b.energy_lately;
     both.states += b.states;
+    for (std::size_t row = 0; row < both.music.size(); ++row) {
+        for (std::size_t field = 0; field < both.music[row].size(); ++field) {
+            both.music[row][field] += b.music[row][field];
+        }
+    }
     for (std::size_t i = 0; i < kPlotBands; ++i) {
         // An empty column has level 0, which would be louder than any sound.
         both.level[i] = b.hops == 0 ? a.level[i] : std::max(a.level[i], b.level[i]);
@@ -168,8 +172,14 @@ void PlotData::add(const MusicState& state) {
     PlotColumn& column = column_of(state.hop);
     column.bpm += state.grid.tempo.bpm();
     column.confidence += static_cast<double>(state.grid.confidence);
-    column.energy += static_cast<double>(state.energy.now);
-    column.energy_lately += static_cast<double>(state.energy.lately);
+    for (std::size_t row = 0; row < kMusicTable.size(); ++row) {
+        const auto fields = kMusicTable[row].used();
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (fields[i].drawn != Drawn::no) {
+                column.music[row][i] += std::get<double>(fields[i].value(state));
+            }
+        }
+    }
     ++column.states;
     if (state.has_beat) {
         beats_.push_back(state.beat);

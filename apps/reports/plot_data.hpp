@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "apps/reports/music_table.hpp"
 #include "audio/beat/paper_beat.hpp"
 #include "audio/features/rhythm_frames.hpp"
 #include "base/expected.hpp"
@@ -24,9 +25,8 @@ struct PlotColumn {
     float threshold = 0.0F;                 ///< its threshold, highest of the hops
     double bpm = 0.0;                       ///< sum over the hops that have a state
     double confidence = 0.0;                ///< sum over the hops that have a state
-    double energy = 0.0;                    ///< sum of MusicEnergy::now over those hops
-    double energy_lately = 0.0;             ///< and of MusicEnergy::lately
     int states = 0;                         ///< hops that have a state
+    MusicNumbers music{};                   ///< sums over those hops, of what is drawn
     std::array<float, kPlotBands> level{};  ///< dBFS of a sine in the band, loudest of the hops
 };
 

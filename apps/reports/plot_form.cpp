@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "apps/reports/music_table.hpp"
 #include "apps/reports/plotter.hpp"
 
 #include <fmt/format.h>
@@ -20,20 +21,53 @@ constexpr double kNameWidth = 62.0;
 
 }  // namespace
 
-// Energy of the half second as an area, of the four seconds as a line.
-void Plotter::energy() {
-    const auto mean = [](double sum, int states) { return states > 0 ? sum / states : 0.0; };
-    const Values now = collect([&](const PlotColumn& c) { return mean(c.energy, c.states); });
-    const Values lately =
-        collect([&](const PlotColumn& c) { return mean(c.energy_lately, c.states); });
-    const Panel panel = sheet_.begin_panel({"energy", "Energy", "0 to 1", 84.0, 0.0, 1.0});
-    sheet_.tick(panel, 0.0, "0");
-    sheet_.tick(panel, 0.5, "0.5");
-    sheet_.tick(panel, 1.0, "1");
-    sheet_.legend(panel, kRed, "of 4 s");
-    sheet_.legend(panel, kPale, "now");
-    fill(area(panel, now, Values(now.size(), 0.0)), kPale);
-    stroke(line(panel, lately), kRed, 1.6);
+void Plotter::numbers() {
+    for (std::size_t row = 0; row < kMusicTable.size(); ++row) {
+        numbers_of(row);
+    }
+}
+
+// Means of the columns. What is drawn in one panel has one unit and one range.
+void Plotter::numbers_of(std::size_t row) {
+    const MusicRow& about = kMusicTable[row];
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < about.used().size(); ++i) {
+        if (about.fields[i].drawn != Drawn::no) {
+            drawn.push_back(i);
+        }
+    }
+    if (drawn.empty()) {
+        return;
+    }
+    const MusicField& first = about.fields[drawn.front()];
+    const double low = first.low;
+    const double high = first.high;
+    const std::string range = fmt::format("{:g} to {:g}", low, high);
+    const Panel panel = sheet_.begin_panel({about.name,
+                                            about.title,
+                                            first.unit.empty() ? range : first.unit,
+                                            about.panel_height,
+                                            low,
+                                            high});
+    for (const double value : {low, 0.5 * (low + high), high}) {
+        sheet_.tick(panel, value, fmt::format("{:g}", value));
+    }
+    const auto colour = [&](std::size_t i) {
+        return about.fields[i].drawn == Drawn::area ? kPale : kRed;
+    };
+    for (std::size_t i = drawn.size(); i-- > 0 && drawn.size() > 1;) {
+        sheet_.legend(panel, colour(drawn[i]), about.fields[drawn[i]].legend);
+    }
+    for (const std::size_t i : drawn) {
+        const Values means = collect([&](const PlotColumn& column) {
+            return column.states > 0 ? column.music[row][i] / column.states : low;
+        });
+        if (about.fields[i].drawn == Drawn::area) {
+            fill(area(panel, means, Values(means.size(), low)), colour(i));
+        } else {
+            stroke(line(panel, means), colour(i), 1.6);
+        }
+    }
     sheet_.end_panel();
 }
 

@@ -32,12 +32,12 @@ class PlotSheet {
     };
     /// What a panel is begun with.
     struct PanelPlan {
-        const char* id;     ///< of its SVG group
-        const char* title;  ///< written over it
-        const char* unit;   ///< of the values, written along the axis; may be empty
-        double height;      ///< of the panel
-        double low;         ///< value at the bottom
-        double high;        ///< value at the top
+        std::string_view id;     ///< of its SVG group
+        std::string_view title;  ///< written over it
+        std::string_view unit;   ///< of the values, written along the axis; may be empty
+        double height;           ///< of the panel
+        double low;              ///< value at the bottom
+        double high;             ///< value at the top
     };
     /// Opens the next panel with title, frame and time lines; all drawing until end_panel() is part
     /// of its group.

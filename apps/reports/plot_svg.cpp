@@ -56,7 +56,7 @@ Expected<std::string> Plotter::draw() {
     tempo();
     bar();
     confidence();
-    energy();
+    numbers();
     form();
     accents();
     return sheet_.finish();

@@ -83,7 +83,9 @@ class Plotter {
     void tempo();
     void bar();
     void confidence();
-    void energy();
+    void numbers();
+    /// The panel of a row of kMusicTable; none where nothing of it is drawn.
+    void numbers_of(std::size_t row);
     void form();
     void accents();
 
