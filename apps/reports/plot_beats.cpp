@@ -120,7 +120,7 @@ void Plotter::beats() {
 void Plotter::tempo() {
     // NaN breaks the line where no state is known.
     const Values bpm =
-        collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : std::nan(""); });
+        collect([](const PlotColumn& c) { return c.tempi > 0 ? c.bpm / c.tempi : std::nan(""); });
     Values seen;
     std::copy_if(
         bpm.begin(), bpm.end(), std::back_inserter(seen), [](double v) { return !std::isnan(v); });
@@ -207,7 +207,7 @@ void Plotter::bar() {
 // Mean confidence of each column, as an area from 0.
 void Plotter::confidence() {
     const Values values =
-        collect([](const PlotColumn& c) { return c.states > 0 ? c.confidence / c.states : 0.0; });
+        collect([](const PlotColumn& c) { return c.tempi > 0 ? c.confidence / c.tempi : 0.0; });
     const Panel panel = sheet_.begin_panel({"confidence", "Confidence", "0 to 1", 64.0, 0.0, 1.0});
     sheet_.tick(panel, 0.0, "0");
     sheet_.tick(panel, 0.5, "0.5");

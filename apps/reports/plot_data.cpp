@@ -33,6 +33,7 @@ PlotColumn merged(const PlotColumn& a, const PlotColumn& b) {
     both.threshold = std::max(a.threshold, b.threshold);
     both.bpm += b.bpm;
     both.confidence += b.confidence;
+    both.tempi += b.tempi;
     both.states += b.states;
     for (std::size_t row = 0; row < both.music.size(); ++row) {
         for (std::size_t field = 0; field < both.music[row].size(); ++field) {
@@ -180,6 +181,7 @@ void PlotData::add(const MusicState& state) {
             }
         }
     }
+    ++column.tempi;
     ++column.states;
     if (state.has_beat) {
         beats_.push_back(state.beat);
@@ -207,8 +209,8 @@ void PlotData::replace_beats(std::vector<BeatEvent> beats) {
         }
         PlotColumn& column = columns_[i];
         // Beyond the last beat nothing is known.
-        column.states = next < beats_.size() ? 1 : 0;
-        if (column.states > 0) {
+        column.tempi = next < beats_.size() ? 1 : 0;
+        if (column.tempi > 0) {
             column.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
             column.confidence = static_cast<double>(beats_[next].confidence);
         }

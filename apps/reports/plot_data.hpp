@@ -23,10 +23,11 @@ struct PlotColumn {
     float high = 0.0F;                      ///< highest sample
     float strength = 0.0F;                  ///< onset strength (PaperFlux), highest of the hops
     float threshold = 0.0F;                 ///< its threshold, highest of the hops
-    double bpm = 0.0;                       ///< sum over the hops that have a state
-    double confidence = 0.0;                ///< sum over the hops that have a state
+    double bpm = 0.0;                       ///< sum over the hops that have a tempo
+    double confidence = 0.0;                ///< sum over the hops that have a tempo
+    int tempi = 0;                          ///< hops that have a tempo
+    MusicNumbers music{};                   ///< of what is drawn: sums over `states`
     int states = 0;                         ///< hops that have a state
-    MusicNumbers music{};                   ///< sums over those hops, of what is drawn
     std::array<float, kPlotBands> level{};  ///< dBFS of a sine in the band, loudest of the hops
 };
 

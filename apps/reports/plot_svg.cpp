@@ -114,7 +114,7 @@ void Plotter::head() {
     std::string about = fmt::format(
         "{:.1f} s, beats by {}: {}", data_.duration(), labels_.method, data_.beats().size());
     const Values bpm =
-        collect([](const PlotColumn& c) { return c.states > 0 ? c.bpm / c.states : 0.0; });
+        collect([](const PlotColumn& c) { return c.tempi > 0 ? c.bpm / c.tempi : 0.0; });
     if (const double median = lower_percentile(bpm, 0.5); median > 0.0 && !data_.beats().empty()) {
         about += fmt::format(", median tempo {:.1f} BPM", median);
     }

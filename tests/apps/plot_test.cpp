@@ -112,8 +112,29 @@ TEST(PlotData, memory_is_bounded_and_nothing_is_lost_by_merging) {
     for (std::size_t i = 0; i < data.columns().size(); ++i) {
         const PlotColumn& column = data.columns()[i];
         EXPECT_EQ(column.states, 4);
+        EXPECT_EQ(column.tempi, 4);
         EXPECT_EQ(column.high, i == 1525 ? 0.75F : 0.0F) << i;
-        EXPECT_DOUBLE_EQ(column.bpm / column.states, 100.0);
+        EXPECT_DOUBLE_EQ(column.bpm / column.tempi, 100.0);
+    }
+}
+
+TEST(PlotData, beats_of_another_method_change_nothing_but_tempo_and_confidence) {
+    PlotData data;
+    ASSERT_TRUE(data.prepare(SampleRate(32'000)));
+    for (HopIndex hop = 0; hop < 10'000; ++hop) {
+        MusicState state;
+        state.hop = hop;
+        data.add(state);
+    }
+    const std::vector<PlotColumn> before(data.columns().begin(), data.columns().end());
+    data.replace_beats(
+        {{stream_time_from_seconds(0.0), 1, 0.9F}, {stream_time_from_seconds(0.5), 2, 0.9F}});
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const PlotColumn& column = data.columns()[i];
+        EXPECT_EQ(column.music, before[i].music);
+        EXPECT_EQ(column.states, before[i].states);
+        EXPECT_EQ(column.tempi, 1);
+        EXPECT_EQ(column.bpm, 120.0);
     }
 }
 
