@@ -36,6 +36,10 @@ class Evaluation {
           legs_(leg_lengths(skeleton)),
           hips_(plan_.frames()),
           poses_(plan_.frames()) {
+        for (const BodyFrame& frame : frames_) {
+            pelvis_.push_back(glm::angleAxis(frame.facing, glm::dvec3(0, 1, 0)) *
+                              frame.pelvis.rotation());
+        }
         for (auto& lift : heel_lift_) {
             lift.assign(plan_.frames(), 0.0);
         }
@@ -43,6 +47,7 @@ class Evaluation {
 
     void run() {
         constexpr int kRounds = 3;  // of balance; each moves the mass less
+        set_upper_bodies();
         place_hips();
         fly();
         // Balance shifts the hips sideways, which changes their height and the heels, so both are
@@ -50,12 +55,12 @@ class Evaluation {
         for (int round = 0; round < kRounds; ++round) {
             solve_heights();
             peel_heels();
-            set_poses();
+            set_hips_and_legs();
             balance();
         }
         solve_heights();
         peel_heels();
-        set_poses();
+        set_hips_and_legs();
     }
 
     [[nodiscard]] std::vector<Pose>& poses() noexcept { return poses_; }
@@ -87,11 +92,6 @@ class Evaluation {
     }
 
  private:
-    /// World rotation of the pelvis at frame i.
-    [[nodiscard]] glm::dquat pelvis(std::size_t i) const {
-        return glm::angleAxis(frames_[i].facing, glm::dvec3(0, 1, 0)) *
-               frames_[i].pelvis.rotation();
-    }
     /// A floor vector given as left and forward of the body's front.
     [[nodiscard]] glm::dvec2 turned(std::size_t i, double left, double forward) const {
         const double c = std::cos(frames_[i].facing);
@@ -101,7 +101,7 @@ class Evaluation {
     /// Distance from hip joint to ankle at frame i; metres.
     [[nodiscard]] double distance(std::size_t i, Side side, double extra_pitch) const {
         const PlannedFoot& foot = feet_.feet[static_cast<std::size_t>(side)][i];
-        return glm::distance(hip_joint(skeleton_, side, pelvis(i), hips_[i]),
+        return glm::distance(hip_joint(skeleton_, side, pelvis_[i], hips_[i]),
                              ankle_of(skeleton_, side, foot, extra_pitch));
     }
 
@@ -120,7 +120,8 @@ class Evaluation {
                                     double length,
                                     const PlannedFoot& foot) const {
         const glm::dvec3 ankle = ankle_of(skeleton_, side, foot);
-        const glm::dvec3 joint = hip_joint(skeleton_, side, pelvis(i), {hips_[i].x, 0, hips_[i].z});
+        const glm::dvec3 joint =
+            hip_joint(skeleton_, side, pelvis_[i], {hips_[i].x, 0, hips_[i].z});
         const double dx = ankle.x - joint.x;
         const double dz = ankle.z - joint.z;
         constexpr double kLowest = 0.3;  // of the leg: no lower than sitting on the heels
@@ -234,24 +235,35 @@ class Evaluation {
     [[nodiscard]] double lift_for(std::size_t i, Side side) const {
         constexpr double kMost = 60.0 * kDegree;
         constexpr int kHalvings = 24;
+        const PlannedFoot& foot = feet_.feet[static_cast<std::size_t>(side)][i];
+        const glm::dvec3 joint = hip_joint(skeleton_, side, pelvis_[i], hips_[i]);
         double low = 0.0;
         double high = kMost;
         for (int h = 0; h < kHalvings; ++h) {
             const double middle = 0.5 * (low + high);
-            (distance(i, side, middle) > legs_.reach() ? low : high) = middle;
+            const double far = glm::distance(joint, ankle_of(skeleton_, side, foot, middle));
+            (far > legs_.reach() ? low : high) = middle;
         }
         return high;
     }
 
-    /// Solves all poses from the hips, feet and angles.
-    void set_poses() {
+    /// Solves trunks and arms, which the place of the hips does not change.
+    void set_upper_bodies() {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
-            Pose& pose = poses_[i];
-            set_trunk(skeleton_, frames_[i], hips_[i], pose);
+            set_trunk(skeleton_, frames_[i], hips_[i], poses_[i]);
+            for (const Side side : kSides) {
+                set_arm(skeleton_, side, frames_[i], poses_[i]);
+            }
+        }
+    }
+
+    /// Solves the legs between the hips and the feet.
+    void set_hips_and_legs() {
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            poses_[i].hips_position = glm::vec3(hips_[i]);
             for (const Side side : kSides) {
                 const auto s = static_cast<std::size_t>(side);
-                set_leg(skeleton_, side, feet_.feet[s][i], heel_lift_[s][i], pose);
-                set_arm(skeleton_, side, frames_[i], pose);
+                set_leg(skeleton_, side, feet_.feet[s][i], heel_lift_[s][i], poses_[i]);
             }
         }
     }
@@ -282,6 +294,7 @@ class Evaluation {
     RepeatPlan plan_;
     FootPlan feet_;
     std::vector<BodyFrame> frames_;
+    std::vector<glm::dquat> pelvis_;  // rotation in the world, by frame
     const Skeleton& skeleton_;
     LegLengths legs_;
     std::vector<glm::dvec3> hips_;
