@@ -235,8 +235,8 @@ void Dancer::State::note_swings() noexcept {
     if (part.is_in_couple || (shown.foot_contact[0] && shown.foot_contact[1])) {
         return;
     }
-    const WorldPose now = world_pose(skeleton, shown);
-    const WorldPose before = world_pose(skeleton, shown_before);
+    const WorldPose now = world_body(skeleton, shown);
+    const WorldPose before = world_body(skeleton, shown_before);
     for (const Side side : kSides) {
         if (!shown.foot_contact[static_cast<std::size_t>(side)]) {
             const Bone foot = on_side(Bone::left_foot, side);

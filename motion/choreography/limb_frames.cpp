@@ -224,7 +224,7 @@ void set_arm(const Skeleton& skeleton, Side side, const BodyFrame& frame, Pose& 
 }
 
 glm::dvec3 centre_of_mass(const Skeleton& skeleton, const Pose& pose) noexcept {
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     const auto at = [&](Bone bone) { return glm::dvec3(world.position(bone)); };
     // Trunk and head, then the limbs of both sides: shares of the mass at points along the
     // segments.

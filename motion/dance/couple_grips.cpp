@@ -105,7 +105,7 @@ namespace {
 
 /// Standing; metres.
 float shoulder_height_of(const Skeleton& skeleton) noexcept {
-    const WorldPose standing = world_pose(skeleton, Pose());
+    const WorldPose standing = world_body(skeleton, Pose());
     return skeleton.hips_height() + standing.position(Bone::left_upper_arm).y -
            standing.position(Bone::hips).y;
 }

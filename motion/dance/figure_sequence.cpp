@@ -78,8 +78,8 @@ Pose average(const DanceContent& content,
         return pose;
     }
     const Skeleton& skeleton = content.skeleton;
-    const WorldPose a = world_pose(skeleton, from);
-    const WorldPose b = world_pose(skeleton, to);
+    const WorldPose a = world_body(skeleton, from);
+    const WorldPose b = world_body(skeleton, to);
     for (const Side side : kSides) {
         const FootShare& own = feet[static_cast<std::size_t>(side)];
         // The pivot is interpolated, so that a foot that both plant there stays, though its heel be
@@ -261,8 +261,8 @@ bool FigureSequence::can_change_foot(const Danced& before, const Danced& after) 
     }
     const double phase = after.start + kLooksAtFeet;
     const std::array<Pose, 2> poses = {pose_of(before, phase, {}), pose_of(after, phase, {})};
-    const std::array<WorldPose, 2> worlds = {world_pose(content_->skeleton, poses[0]),
-                                             world_pose(content_->skeleton, poses[1])};
+    const std::array<WorldPose, 2> worlds = {world_body(content_->skeleton, poses[0]),
+                                             world_body(content_->skeleton, poses[1])};
     return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
         const auto s = static_cast<std::size_t>(side);
         return poses[0].foot_contact[s] && poses[1].foot_contact[s] &&
@@ -298,7 +298,7 @@ Pose FigureSequence::joined(const Danced& before,
         }
         if (phase > after.start + join.held) {
             const WorldPose world =
-                world_pose(content_->skeleton, pose_of(before, after.start + join.held, manner));
+                world_body(content_->skeleton, pose_of(before, after.start + join.held, manner));
             feet[s].held = foot_place(content_->skeleton, world, kSides[s]);
             feet[s].is_planted = join.is_planted;
         }
@@ -345,8 +345,8 @@ std::array<FigureSequence::FootState, 2> FigureSequence::states_of_feet(
     for (int sample = 0; sample <= kFootSamples; ++sample) {
         const double beat = margin * (2.0 * sample / kFootSamples - 1.0);
         const std::array<WorldPose, 2> poses = {
-            world_pose(content_->skeleton, pose_of(before, after.start + beat, {})),
-            world_pose(content_->skeleton, pose_of(after, after.start + beat, {}))};
+            world_body(content_->skeleton, pose_of(before, after.start + beat, {})),
+            world_body(content_->skeleton, pose_of(after, after.start + beat, {}))};
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);
             FootState& foot = feet[s];
@@ -382,7 +382,7 @@ FigureSequence::FootJoin FigureSequence::foot_join(const Danced& before,
     FootJoin join = foot.swings[1];
     if (join.lasts() >= least) {
         const Pose pose = pose_of(after, after.start + join.to, {});
-        const WorldPose world = world_pose(content_->skeleton, pose);
+        const WorldPose world = world_body(content_->skeleton, pose);
         // The swing seems to end just before the margin, but the figure plants the foot later: it
         // only creeps near the floor. It then moves until it is planted.
         if (stands && margin - join.to <= kCreeps &&

@@ -20,7 +20,7 @@ constexpr double kSurelyFree = 0.4;
 FloorMove stance_before(const FigurePassage& passage, const Skeleton& skeleton) {
     Pose pose;
     passage.at(-FigurePassage::kMargin, pose);
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     FloorMove stance;
     glm::dvec2 facing{0.0, 0.0};
     for (const Side side : kSides) {

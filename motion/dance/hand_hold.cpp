@@ -77,13 +77,13 @@ void HandHold::advance(const HoldMoment& moment,
     Stages stages = stages_;
     const HopIndex last = std::min(lead.newest(), follow.newest());
     // What becomes uncomfortable within the predicted time is let go now: the filter is as slow.
-    const GripWeights coming = grips_.comfort(world_pose(lead_, lead.at_hop(last)),
-                                              world_pose(follow_, follow.at_hop(last)));
+    const GripWeights coming = grips_.comfort(world_body(lead_, lead.at_hop(last)),
+                                              world_body(follow_, follow.at_hop(last)));
     for (HopIndex hop = now; hop <= last; ++hop) {
         Pose one = lead.at_hop(hop);
         Pose two = follow.at_hop(hop);
-        const WorldPose lead_world = world_pose(lead_, one);
-        const WorldPose follow_world = world_pose(follow_, two);
+        const WorldPose lead_world = world_body(lead_, one);
+        const WorldPose follow_world = world_body(follow_, two);
         const GripWeights wanted = wanted_at(moment, to_seconds((hop - now) * kHop));
         const GripWeights comfort = grips_.comfort(lead_world, follow_world);
         for (std::size_t grip = 0; grip < kGrips; ++grip) {

@@ -122,8 +122,8 @@ void Standing::settle(const Skeleton& skeleton,
     since_ = now;
     step_count_ = steps_between(from, to);
     seconds_ = to_seconds(duration(from, to));
-    const WorldPose world = world_pose(skeleton, shown);
-    const WorldPose before = world_pose(skeleton, shown_before);
+    const WorldPose world = world_body(skeleton, shown);
+    const WorldPose before = world_body(skeleton, shown_before);
     for (const Side side : kSides) {
         const Bone bone = on_side(Bone::left_foot, side);
         feet_[static_cast<std::size_t>(side)] = {
@@ -141,7 +141,7 @@ void Standing::settle(const Skeleton& skeleton,
                        : std::min(1.0, static_cast<double>(i + 2) / static_cast<double>(count));
         const double heading = from_.heading + share * turn_between(from_, to_);
         const FloorMove there{heading, from_.offset + share * (to_.offset - from_.offset)};
-        const WorldPose standing = world_pose(skeleton, there(idle_pose(skeleton, now)));
+        const WorldPose standing = world_body(skeleton, there(idle_pose(skeleton, now)));
         const Bone bone = on_side(Bone::left_foot, side);
         steps_[i] = {side, {standing.position(bone), standing.rotation(bone)}};
         side = side == Side::left ? Side::right : Side::left;

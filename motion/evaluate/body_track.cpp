@@ -37,7 +37,7 @@ BodyTrack body_track(const Skeleton& skeleton,
     track.joints.resize(poses.size());
     track.feet.resize(poses.size());
     for (std::size_t f = 0; f < poses.size(); ++f) {
-        const WorldPose world = world_pose(skeleton, poses[f]);
+        const WorldPose world = world_body(skeleton, poses[f]);
         for (std::size_t j = 0; j < kBodyBones.size(); ++j) {
             track.joints[f][j] = world.position(kBodyBones[j]);
         }

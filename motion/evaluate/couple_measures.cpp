@@ -24,9 +24,9 @@ double angle_past(const WorldPose& who, const glm::vec3& other) {
 
 double body_clearance(const Skeleton& skeleton, const Pose& one, const Pose& other) {
     float least = 1e9F;
-    const BodyCapsules others = body_capsules(skeleton.girth, world_pose(skeleton, other));
+    const BodyCapsules others = body_capsules(skeleton.girth, world_body(skeleton, other));
     // Nine capsules against nine: cheap enough without a hierarchy.
-    for (const Capsule& a : body_capsules(skeleton.girth, world_pose(skeleton, one))) {
+    for (const Capsule& a : body_capsules(skeleton.girth, world_body(skeleton, one))) {
         for (const Capsule& b : others) {
             least = std::min(least, nearness(a, b).metres);
         }
@@ -38,8 +38,8 @@ PalmsAt measure_palms(const Skeleton& skeleton,
                       const PalmPair& pair,
                       const Pose& lead,
                       const Pose& follow) {
-    const glm::vec3 own = palm_of(world_pose(skeleton, lead), pair.lead);
-    const glm::vec3 other = palm_of(world_pose(skeleton, follow), pair.follow);
+    const glm::vec3 own = palm_of(world_body(skeleton, lead), pair.lead);
+    const glm::vec3 other = palm_of(world_body(skeleton, follow), pair.follow);
     return {static_cast<double>(glm::distance(own, other)),
             0.5 * static_cast<double>(own.y + other.y)};
 }
@@ -50,8 +50,8 @@ CoupleMeasures measure_couple(const Skeleton& skeleton,
     RAKS_ASSERT(lead.size() == follow.size());
     CoupleMeasures measures;
     for (std::size_t i = 0; i < lead.size(); ++i) {
-        const WorldPose a = world_pose(skeleton, lead[i]);
-        const WorldPose b = world_pose(skeleton, follow[i]);
+        const WorldPose a = world_body(skeleton, lead[i]);
+        const WorldPose b = world_body(skeleton, follow[i]);
         measures.hands.push_back(static_cast<double>(
             glm::distance(a.position(Bone::left_hand), b.position(Bone::right_hand))));
         measures.facing.push_back(

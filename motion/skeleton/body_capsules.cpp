@@ -59,7 +59,7 @@ std::array<Capsule, 2> hand_capsules(const Girth& girth,
 }
 
 HandClearance hand_clearance(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     const BodyCapsules body = body_capsules(skeleton.girth, world);
     HandClearance least{Side::left, kBodyCapsuleNames[0], 1e9};
     for (const Side side : kSides) {

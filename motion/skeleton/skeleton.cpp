@@ -101,17 +101,45 @@ Skeleton scaled(Skeleton skeleton, float factor) noexcept {
     return skeleton;
 }
 
-WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
-    WorldPose world;
-    world.positions[0] = pose.hips_position;
-    world.rotations[0] = pose.local_rotations[0];
+namespace {
+
+/// Places the bones from `first` to `last`, whose parents outside of this range are placed.
+void place_bones(const Skeleton& skeleton,
+                 const Pose& pose,
+                 Bone first,
+                 Bone last,
+                 WorldPose& world) noexcept RAKS_NONBLOCKING {
     // Parents come before their children, so one pass suffices.
-    for (std::size_t i = 1; i < kBoneParents.size(); ++i) {
+    for (std::size_t i = index_of(first); i <= index_of(last); ++i) {
         const std::size_t parent = kBoneParents[i];
         world.positions[i] =
             world.positions[parent] + world.rotations[parent] * skeleton.offsets[i];
         world.rotations[i] = world.rotations[parent] * pose.local_rotations[i];
     }
+}
+
+WorldPose placed_hips(const Pose& pose) noexcept RAKS_NONBLOCKING {
+    WorldPose world;
+    world.positions[0] = pose.hips_position;
+    world.rotations[0] = pose.local_rotations[0];
+    return world;
+}
+
+}  // namespace
+
+WorldPose world_pose(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
+    WorldPose world = placed_hips(pose);
+    place_bones(skeleton, pose, Bone::spine, Bone::right_little_distal, world);
+    return world;
+}
+
+WorldPose world_body(const Skeleton& skeleton, const Pose& pose) noexcept RAKS_NONBLOCKING {
+    WorldPose world = placed_hips(pose);
+    place_bones(skeleton, pose, Bone::spine, Bone::left_hand, world);
+    place_bones(skeleton, pose, Bone::left_middle_proximal, Bone::left_middle_intermediate, world);
+    place_bones(skeleton, pose, Bone::right_upper_leg, Bone::right_hand, world);
+    place_bones(
+        skeleton, pose, Bone::right_middle_proximal, Bone::right_middle_intermediate, world);
     return world;
 }
 

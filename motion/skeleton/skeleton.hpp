@@ -78,6 +78,11 @@ struct WorldPose {
 /// Forward kinematics. Threads: any. Real-time: yes (52 products).
 [[nodiscard]] WorldPose world_pose(const Skeleton& skeleton,
                                    const Pose& pose) noexcept RAKS_NONBLOCKING;
+/// The same of the body alone: of the fingers only the first two bones of the middle ones, which
+/// say where a hand ends; all others stay at zero. What dances needs no more, and it costs half.
+/// Threads: any. Real-time: yes (26 products).
+[[nodiscard]] WorldPose world_body(const Skeleton& skeleton,
+                                   const Pose& pose) noexcept RAKS_NONBLOCKING;
 
 /// A point fixed to the foot's bone (ball or heel of the skeleton) on one side, in the world.
 [[nodiscard]] glm::vec3 foot_point(const WorldPose& world,

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/skeleton/pose_track.hpp"
@@ -55,6 +57,29 @@ TEST(Skeleton, a_mirrored_pose_mirrors_places) {
         EXPECT_NEAR(p.y, q.y, 1e-5F);
         EXPECT_NEAR(p.z, q.z, 1e-5F);
     }
+}
+
+TEST(Skeleton, the_body_alone_lies_where_it_lies_with_its_fingers) {
+    Pose pose = pose_number(1);
+    for (std::size_t i = 0; i < pose.local_rotations.size(); ++i) {
+        pose.local_rotations[i] = glm::angleAxis(0.1F * static_cast<float>(i), glm::vec3(0, 0, 1));
+    }
+    const WorldPose whole = world_pose(mannequin_skeleton(), pose);
+    const WorldPose body = world_body(mannequin_skeleton(), pose);
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < kBoneNames.size(); ++i) {
+        const std::string_view name = kBoneNames[i];
+        const bool is_finger = name.ends_with("Proximal") || name.ends_with("Intermediate") ||
+                               name.ends_with("Distal") || name.ends_with("Metacarpal");
+        const bool is_middle = name.find("MiddleProximal") != std::string_view::npos ||
+                               name.find("MiddleIntermediate") != std::string_view::npos;
+        if (!is_finger || is_middle) {
+            EXPECT_EQ(body.positions[i], whole.positions[i]) << name;
+            EXPECT_EQ(body.rotations[i], whole.rotations[i]) << name;
+            ++placed;
+        }
+    }
+    EXPECT_EQ(placed, 26U);
 }
 
 TEST(PoseTrack, keeps_600_ms_final_and_200_ms_predicted) {

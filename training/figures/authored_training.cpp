@@ -28,7 +28,7 @@ TrainingClip clip_of(const EvaluatedFigure& evaluated, const Skeleton& skeleton,
     clip.poses = evaluated.poses;
     clip.hips_height = static_cast<double>(skeleton.hips_height());
     for (const Pose& pose : evaluated.poses) {
-        const WorldPose world = world_pose(skeleton, pose);
+        const WorldPose world = world_body(skeleton, pose);
         std::array<SourceFoot, 2>& feet = clip.feet.emplace_back();
         for (const Side side : kSides) {
             feet[static_cast<std::size_t>(side)] = {

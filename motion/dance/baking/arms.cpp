@@ -226,7 +226,7 @@ glm::vec3 side_by_side(glm::vec3 between) noexcept {
 // Moves each palm by half of what is missing to `wanted`, weighted by `share`.
 void move_hands(const Skeleton& skeleton, const glm::vec3& wanted, float share, Pose& pose) {
     for (int round = 0; round < kMeetingRounds; ++round) {
-        const WorldPose world = world_pose(skeleton, pose);
+        const WorldPose world = world_body(skeleton, pose);
         const glm::quat& chest = world.rotation(Bone::upper_chest);
         const glm::vec3 right = chest * (0.5F * share * (wanted - between_palms(world)));
         for (const Side side : kSides) {
@@ -243,7 +243,7 @@ void meet_hands(const Skeleton& skeleton, std::span<const Pose> learnt, std::spa
     std::vector<glm::vec3> between;
     between.reserve(learnt.size());
     for (const Pose& pose : learnt) {
-        between.push_back(between_palms(world_pose(skeleton, pose)));
+        between.push_back(between_palms(world_body(skeleton, pose)));
     }
     const bool meet = std::any_of(between.begin(), between.end(), [](const glm::vec3& apart) {
         return glm::length(apart) < kMeeting;

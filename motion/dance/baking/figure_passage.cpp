@@ -203,7 +203,7 @@ StartPlaces learnt_places(const FigureModel& model,
                     continue;
                 }
                 const WorldPose world =
-                    world_pose(skeleton, figure.poses[static_cast<std::size_t>(i)]);
+                    world_body(skeleton, figure.poses[static_cast<std::size_t>(i)]);
                 const Bone foot = on_side(Bone::left_foot, side);
                 const glm::vec3 ball =
                     world.position(foot) + pivot_from_ankle(skeleton, side, world.rotation(foot));

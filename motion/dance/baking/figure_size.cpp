@@ -33,7 +33,7 @@ struct Feet {
 };
 
 Feet feet_of(const Skeleton& skeleton, const Pose& pose) noexcept {
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     Feet feet;
     std::array<float, 2> soles{};
     for (const Side side : kSides) {

@@ -29,7 +29,7 @@ SourceFoot foot_of(const Skeleton& skeleton, const WorldPose& world, Side side) 
 FeetByFrame feet_of(const std::vector<Pose>& poses, const Skeleton& skeleton) {
     FeetByFrame feet;
     for (const Pose& pose : poses) {
-        const WorldPose world = world_pose(skeleton, pose);
+        const WorldPose world = world_body(skeleton, pose);
         std::array<SourceFoot, 2>& both = feet.emplace_back();
         for (const Side side : kSides) {
             both[static_cast<std::size_t>(side)] = foot_of(skeleton, world, side);
@@ -177,7 +177,7 @@ FreeFigure free_figure(const FigureModel& model,
     figure.poses = free_poses(model, tracks, way, skeleton);
     FeetByFrame seen;
     for (const Pose& pose : figure.poses) {
-        const WorldPose world = world_pose(skeleton, pose);
+        const WorldPose world = world_body(skeleton, pose);
         std::array<SourceFoot, 2>& both = seen.emplace_back();
         for (const Side side : kSides) {
             const auto s = static_cast<std::size_t>(side);

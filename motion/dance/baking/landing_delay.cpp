@@ -31,7 +31,7 @@ FeetByFrame feet_of(const FigureModel& model,
          beat += beats_a_frame) {
         Pose pose;
         passage.at(beat, pose);
-        const WorldPose world = world_pose(skeleton, pose);
+        const WorldPose world = world_body(skeleton, pose);
         std::array<SourceFoot, 2>& both = feet.emplace_back();
         for (const Side side : kSides) {
             both[static_cast<std::size_t>(side)] = {

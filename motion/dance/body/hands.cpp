@@ -119,21 +119,26 @@ glm::vec3 push_of(const std::array<Capsule, 2>& hand,
                   const glm::vec3& outward,
                   float spare) noexcept {
     glm::vec3 push{};
+    std::array<Capsule, 2> moved = hand;
+    std::array<Ball, 2> balls = {ball_around(moved[0]), ball_around(moved[1])};
     bool is_pushed = true;
     for (int round = 0; round < kRounds && is_pushed; ++round) {
         is_pushed = false;
         for (std::size_t part = 0; part < body.parts.size(); ++part) {
-            for (Capsule moved : hand) {
-                moved.from += push;
-                moved.to += push;
-                if (is_clear(ball_around(moved), body.balls[part], spare)) {
+            for (std::size_t i = 0; i < hand.size(); ++i) {
+                if (is_clear(balls[i], body.balls[part], spare)) {
                     continue;
                 }
-                const Nearness near = nearness(moved, body.parts[part]);
+                const Nearness near = nearness(moved[i], body.parts[part]);
                 const float depth = soft_depth(spare - near.metres);
                 if (depth > 0.0F) {
                     push += depth * glm::normalize(near.away + kOutward * outward);
                     is_pushed = true;
+                    for (std::size_t k = 0; k < hand.size(); ++k) {
+                        moved[k].from = hand[k].from + push;
+                        moved[k].to = hand[k].to + push;
+                        balls[k] = ball_around(moved[k]);
+                    }
                 }
             }
         }
@@ -190,7 +195,7 @@ std::vector<glm::vec3> smooth_pushes(const std::vector<glm::vec3>& pushes, doubl
 }  // namespace
 
 void clear_hands(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     const Obstacles body(skeleton.girth, world);
     for (const Side side : kSides) {
         const glm::vec3 push = push_of(
@@ -208,7 +213,7 @@ void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::ve
             pushes.reserve(poses.size());
             float most = 0.0F;
             for (const Pose& pose : poses) {
-                const WorldPose world = world_pose(skeleton, pose);
+                const WorldPose world = world_body(skeleton, pose);
                 const glm::vec3 push = push_of(hand_capsules(skeleton.girth, world, side),
                                                Obstacles(skeleton.girth, world),
                                                outward_of(world, side),
@@ -224,7 +229,7 @@ void lead_hands_round(const Skeleton& skeleton, double samples_per_beat, std::ve
             pushes = smooth_pushes(pushes, kPushSigma * samples_per_beat);
             for (std::size_t i = 0; i < poses.size(); ++i) {
                 if (glm::dot(pushes[i], pushes[i]) >= kLeastPush * kLeastPush) {
-                    const WorldPose world = world_pose(skeleton, poses[i]);
+                    const WorldPose world = world_body(skeleton, poses[i]);
                     push_hand(
                         skeleton, world, side, world.rotation(Bone::hips) * pushes[i], poses[i]);
                 }

@@ -177,7 +177,7 @@ float lowest_of_sole(const Skeleton& skeleton,
 void put_feet_as(const Skeleton& skeleton,
                  const Pose& other,
                  Pose& pose) noexcept RAKS_NONBLOCKING {
-    const WorldPose world = world_pose(skeleton, other);
+    const WorldPose world = world_body(skeleton, other);
     std::array<glm::vec3, 2> ankles{};
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);
@@ -196,7 +196,7 @@ void put_feet_as(const Skeleton& skeleton,
 }
 
 void lift_feet(const Skeleton& skeleton, Pose& pose) noexcept RAKS_NONBLOCKING {
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     for (const Side side : kSides) {
         const Bone foot = on_side(Bone::left_foot, side);
         FootTarget target{world.position(foot), world.rotation(foot)};

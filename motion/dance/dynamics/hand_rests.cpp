@@ -218,7 +218,7 @@ void HandRests::apply(const Skeleton& skeleton,
     if (!is_any) {
         return;
     }
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     const glm::quat facing = facing_of(world);
     for (const Side side : kSides) {
         const Hand& hand = hands_[static_cast<std::size_t>(side)];

@@ -66,7 +66,7 @@ void follow(const Value& target, float seconds, Value& value) noexcept {
 
 /// Speeds of hands and hips, and how high the hands are, as averages over the last half second.
 void Looks::see(const Skeleton& skeleton, const Pose& shown) noexcept {
-    const WorldPose world = world_pose(skeleton, shown);
+    const WorldPose world = world_body(skeleton, shown);
     const glm::vec3 head = world.position(Bone::head);
     const auto speed = [](const glm::vec3& way) {
         const float length = glm::length(way);
@@ -145,7 +145,7 @@ void Looks::go_on() noexcept RAKS_NONBLOCKING {
 
 void Looks::apply(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONBLOCKING {
     const Aim& aim = stages_.back();
-    const WorldPose world = world_pose(skeleton, pose);
+    const WorldPose world = world_body(skeleton, pose);
     const float heading = std::atan2(aim.towards.x, aim.towards.z);
     const float aside = wrapped(heading - heading_of_bone(world, Bone::upper_chest));
     const float seen = 1.0F - smoothstep(kSurelySeen, kNeverSeen, std::abs(aside));

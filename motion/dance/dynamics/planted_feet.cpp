@@ -59,10 +59,10 @@ void PlantedFeet::carry_over(const Skeleton& skeleton,
                              const Pose& shown_before,
                              const Pose& next,
                              const Pose& next_before) noexcept RAKS_NONBLOCKING {
-    const WorldPose now = world_pose(skeleton, shown);
-    const WorldPose before = world_pose(skeleton, shown_before);
-    const WorldPose wanted = world_pose(skeleton, next);
-    const WorldPose wanted_before = world_pose(skeleton, next_before);
+    const WorldPose now = world_body(skeleton, shown);
+    const WorldPose before = world_body(skeleton, shown_before);
+    const WorldPose wanted = world_body(skeleton, next);
+    const WorldPose wanted_before = world_body(skeleton, next_before);
     for (const Side side : kSides) {
         const FootPlace is = foot_place(skeleton, now, side);
         const FootPlace was = foot_place(skeleton, before, side);
@@ -134,7 +134,7 @@ bool PlantedFeet::has_lag() const noexcept {
 Pose PlantedFeet::apply(const Skeleton& skeleton,
                         const Pose& wanted,
                         OwnSteps steps) noexcept RAKS_NONBLOCKING {
-    const WorldPose world = world_pose(skeleton, wanted);
+    const WorldPose world = world_body(skeleton, wanted);
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
         advance(feet_[s],
@@ -151,7 +151,7 @@ Pose PlantedFeet::with_lag(const Skeleton& skeleton,
     if (!has_lag()) {
         return wanted;
     }
-    const WorldPose world = world_pose(skeleton, wanted);
+    const WorldPose world = world_body(skeleton, wanted);
     Pose pose = wanted;
     std::array<FootTarget, 2> targets;
     std::array<glm::vec3, 2> ankles{};
