@@ -9,7 +9,7 @@
 
 #include "audio/music/generator/music_generator.hpp"
 #include "tests/support/process.hpp"
-#include "tests/support/solved_dances.hpp"
+#include "tests/support/shared_caches.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::test {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "tests/support/solved_dances.hpp"
+#include "tests/support/shared_caches.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 int main(int argc, char** argv) {
@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
     raks::test::share_solved_dances(home.path() / "cache",
                                     std::filesystem::path(argv[0]).filename().string());
     setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
+    // What Mesa compiled: a quarter of what a small picture costs.
+    setenv("MESA_SHADER_CACHE_DIR", raks::test::shared_folder("shaders").c_str(), 1);
     // They do not lie beside the programs of the tests.
     setenv("RAKS_DECODER", RAKS_DECODE_PROGRAM, 1);
     setenv("RAKS_UNPACKER", RAKS_UNPACK_PROGRAM, 1);
