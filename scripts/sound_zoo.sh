@@ -11,19 +11,19 @@ folder=$(cd "$folder" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# 6 s: two tones that rise, a click twice a second and some noise; each channel another pitch.
-source_wav() {  # NAME RATE CHANNELS
-    local expression="" i
-    for ((i = 0; i < $3; ++i)); do
+# source_wav RATE-CHANNELS makes $work/RATE-CHANNELS.wav where it is not there yet. 6 s: two tones that
+# rise, a click twice a second and some noise; each channel another pitch.
+source_wav() {
+    local rate=${1%-*} channels=${1#*-} expression="" i
+    [ ! -f "$work/$1.wav" ] || return 0
+    for ((i = 0; i < channels; ++i)); do
         expression+="${expression:+|}0.3*sin(2*PI*t*($((180 + 70 * i))+60*t))+0.3*lt(mod(t\,0.5)\,0.004)+0.05*(random($i)-0.5)"
     done
-    ffmpeg -v error -y -f lavfi -i "aevalsrc=exprs='$expression':s=$2:d=6" -c:a pcm_s24le "$1"
+    ffmpeg -v error -y -f lavfi -i "aevalsrc=exprs='$expression':s=$rate:d=6" -c:a pcm_s24le "$work/$1.wav"
 }
-for rate in 8000 11025 16000 22050 32000 44100 48000 96000 192000; do
-    source_wav "$work/$rate-1.wav" "$rate" 1
-    source_wav "$work/$rate-2.wav" "$rate" 2
+for name in 22050-1 44100-2 48000-2; do  # others when `ff` needs them
+    source_wav "$name"
 done
-source_wav "$work/48000-6.wav" 48000 6
 ffmpeg -v error -y -f lavfi -i "testsrc=size=96x64:rate=10:d=6" -c:v libx264 -pix_fmt yuv420p "$work/film.mp4"
 ffmpeg -v error -y -f lavfi -i "testsrc=size=600x600:rate=1:d=1" -frames:v 1 "$work/cover.png"
 
@@ -34,6 +34,7 @@ ff() {  # NAME SOURCE OPTIONS...
     local name=$1 source=$2
     shift 2
     keep || return 0
+    source_wav "$source"
     ffmpeg -v error -y -i "$work/$source.wav" "$@" "$folder/$name"
 }
 

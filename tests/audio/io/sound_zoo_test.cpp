@@ -97,20 +97,32 @@ double correlation(const Sound& ours,
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// Of a stretch, over the best small shift, which is found on its first 2.5 s.
+/// Of a stretch at the best small shift, which is found on its first 2.5 s: from none outwards as
+/// far as it takes to be alike, and from there up to the top of this hill; over all where none is
+/// alike.
 double aligned_correlation(const Sound& ours,
                            const Sound& theirs,
                            std::int64_t from,
                            std::int64_t to) {
     const auto reach = static_cast<std::int64_t>(kLargestShift * ours.rate);
-    const auto part = from + static_cast<std::int64_t>(2.5 * ours.rate);
+    const auto part = std::min(from + static_cast<std::int64_t>(2.5 * ours.rate), to);
     double best = -1.0;
     std::int64_t best_shift = 0;
-    for (std::int64_t shift = -reach; shift <= reach; ++shift) {
-        const double value = correlation(ours, theirs, shift, from, std::min(part, to));
-        if (value > best) {
+    const auto take = [&](std::int64_t shift) {
+        const double value = correlation(ours, theirs, shift, from, part);
+        const bool is_better = value > best;
+        if (is_better) {
             best = value;
             best_shift = shift;
+        }
+        return is_better;
+    };
+    for (std::int64_t shift = 0; shift <= reach && best < kLeastCorrelation; ++shift) {
+        take(shift);
+        take(-shift);
+    }
+    for (const std::int64_t step : {1, -1}) {
+        while (std::abs(best_shift + step) <= reach && take(best_shift + step)) {
         }
     }
     return correlation(ours, theirs, best_shift, from, to);
