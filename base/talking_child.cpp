@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,8 @@
 
 namespace raks {
 namespace {
+
+std::atomic<bool> g_is_any_uncaged{false};  // relaxed: it orders nothing
 
 Talk wait_for(int socket, short events, TalkDeadline deadline) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -122,5 +125,9 @@ std::string TalkingChild::end(Talk why, std::chrono::milliseconds longest) {
     }
     return "its reader sent a broken answer and was ended";
 }
+
+void note_uncaged_child() noexcept { g_is_any_uncaged.store(true, std::memory_order_relaxed); }
+
+bool is_any_child_uncaged() noexcept { return g_is_any_uncaged.load(std::memory_order_relaxed); }
 
 }  // namespace raks

@@ -26,6 +26,11 @@ enum class Talk : std::uint8_t {
 
 /// When waiting ends.
 using TalkDeadline = std::chrono::steady_clock::time_point;
+/// For children: we, who wait, know when it is too late.
+inline constexpr TalkDeadline kNever = TalkDeadline::max();
+
+/// The descriptor of a child that is its end of the socket.
+inline constexpr int kTalkSocket = 3;
 
 /// Sends all bytes. Calls sendmsg alone, which cages allow. Threads: one a socket. Real-time: no.
 [[nodiscard]] Talk send_all(int socket, std::span<const std::byte> bytes, TalkDeadline deadline);
@@ -63,5 +68,11 @@ class TalkingChild {
     pid_t pid_ = -1;
     Descriptor socket_;
 };
+
+/// A child has said that it reads without a filter of system calls (seccomp), which this kernel
+/// refuses. Threads: any. Real-time: yes.
+void note_uncaged_child() noexcept;
+/// Has any child of this process? Threads: any. Real-time: yes.
+[[nodiscard]] bool is_any_child_uncaged() noexcept;
 
 }  // namespace raks

@@ -341,11 +341,6 @@ Expected<StageEnd> Player::play(const Path& file,
     for (const std::string& message : messages) {
         loop_.say(message);
     }
-    if (audio::are_decoders_unconfined()) {
-        say_detail(
-            "files are decoded without protection against damaged ones: this kernel refuses "
-            "seccomp");
-    }
     has_failed_ = has_failed_ || (*graph)->has_lost_device();
     loudspeaker_ = (*graph)->leave_loudspeaker();
     // A file that does not say how long it is shows its end only here.

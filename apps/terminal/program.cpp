@@ -26,6 +26,7 @@
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
+#include "base/talking_child.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -171,6 +172,10 @@ int run_program(const std::function<ParsedCommand()>& parse) {
         }
         const ExitCode code = command.run();
         g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
+        if (is_any_child_uncaged()) {
+            say_detail(
+                "this kernel has no filter of system calls (seccomp): files are read without one");
+        }
         return code ? end_with(*code) : report(code.error().message);
     } catch (const std::bad_alloc&) {
         g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above

@@ -93,7 +93,4 @@ struct MonoAudio {
 [[nodiscard]] Expected<MonoAudio> read_all_mono(const std::filesystem::path& path,
                                                 double max_seconds = 3600.0);
 
-/// Do the decoders that were used so far run without seccomp, as this kernel refuses it?
-[[nodiscard]] bool are_decoders_unconfined() noexcept;
-
 }  // namespace raks::audio

@@ -12,6 +12,7 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "base/talking_child.hpp"
 
 #include <fmt/format.h>
 
@@ -22,16 +23,10 @@ constexpr Nanos kLongestSilence = std::chrono::seconds(2);  // without a sign of
 constexpr Nanos kLongestAnswer = std::chrono::seconds(30);  // of a file, with such signs
 constexpr int kPollMilliseconds = 50;
 
-std::atomic<bool> is_any_unconfined{false};
-
 // What a decoder says, fit for people.
 std::string line_of(std::string_view words) { return printable(words, kDecodeTextBytes); }
 
 }  // namespace
-
-bool are_decoders_unconfined() noexcept {
-    return is_any_unconfined.load(std::memory_order_relaxed);  // relaxed: orders nothing
-}
 
 Expected<std::unique_ptr<DecoderClient>> DecoderClient::open(DecodedSource source) {
     auto process = DecoderProcess::start(source.is_stop_requested);
@@ -88,7 +83,7 @@ bool DecoderClient::take_head() {
     info_.tags = tags_of_text(words.substr(head.format_bytes, head.tag_bytes));
     warning_ = line_of(words.substr(head.format_bytes + head.tag_bytes));
     if (head.is_confined == 0) {
-        is_any_unconfined.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
+        note_uncaged_child();
     }
     return true;
 }

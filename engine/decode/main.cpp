@@ -4,15 +4,13 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <string_view>
-#include <vector>
 
 #include "audio/io/decode_protocol.hpp"
 #include "audio/io/file_window.hpp"
+#include "engine/decode/caged_program.hpp"
 #include "engine/decode/confine.hpp"
 #include "engine/decode/decode_server.hpp"
 #include "engine/decode/film_server.hpp"
@@ -21,11 +19,9 @@
 namespace raks::engine {
 namespace {
 
-constexpr int kWrongUsage = 2;
-
-// Bytes of memory beside what the libraries take.
-constexpr std::uint64_t kMemoryForSound = std::uint64_t{512} << 20U;
-constexpr std::uint64_t kMemoryForPictures = std::uint64_t{2} << 30U;  // a dozen of 8192 x 8192
+constexpr Cage kCageForSound{.more_memory = std::uint64_t{512} << 20U, .seconds = {}};
+// A dozen pictures of 8192 x 8192.
+constexpr Cage kCageForPictures{.more_memory = std::uint64_t{2} << 30U, .seconds = {}};
 
 // The memory that raks made; null where there is none.
 audio::DecodeMemory* map_memory() {
@@ -43,25 +39,14 @@ audio::DecodeMemory* map_memory() {
     return memory == MAP_FAILED ? nullptr : static_cast<audio::DecodeMemory*>(memory);
 }
 
-// Was this started by raks, which speaks over a socket?
-bool is_started_by_raks() {
-    struct stat status {};
-    return fstat(audio::kDecodeSocket, &status) == 0 && S_ISSOCK(status.st_mode);
-}
-
-// Whether what is to be confined is.
-bool is_caged(bool is_to_be, std::uint64_t memory) {
-    return !is_to_be || confine(memory) == Confinement::whole;
-}
-
-int serve_films(bool is_confined) {
+int serve_films(const CagedArguments& arguments) {
     end_with(audio::kDecodeLifeline);
-    const bool is_safe = is_caged(is_confined, kMemoryForPictures);
+    const bool is_safe = enter_cage(arguments, kCageForPictures);
     FilmServer(audio::kDecodeSocket, audio::kDecodePictures, is_safe).run();
     return 0;
 }
 
-int serve_sound(bool is_confined) {
+int serve_sound(const CagedArguments& arguments) {
     if (!become_decoder()) {
         return 0;
     }
@@ -71,7 +56,7 @@ int serve_sound(bool is_confined) {
     }
     end_with(audio::kDecodeLifeline);
     audio::FileWindow::count_reads(&memory->beat);
-    DecodeServer(audio::kDecodeSocket, *memory, is_caged(is_confined, kMemoryForSound)).run();
+    DecodeServer(audio::kDecodeSocket, *memory, enter_cage(arguments, kCageForSound)).run();
     return 0;
 }
 
@@ -79,19 +64,17 @@ int serve_sound(bool is_confined) {
 }  // namespace raks::engine
 
 int main(int argc, char** argv) {
-    const std::vector<std::string_view> words(argv + 1, argv + std::max(argc, 1));
-    const auto is_given = [&words](std::string_view word) {
-        return std::find(words.begin(), words.end(), word) != words.end();
-    };
-    const bool is_confined = !is_given("--no-sandbox");
-    if (!raks::engine::is_started_by_raks()) {
+    using namespace raks::engine;
+    const auto arguments = arguments_of_raks(argc, argv);
+    if (!arguments) {
         std::fputs("raks-decode: is started by raks, to decode sound and films; use raks\n",
                    stderr);
-        return raks::engine::kWrongUsage;
+        return kWrongUsage;
     }
     try {
-        return is_given("--pictures") ? raks::engine::serve_films(is_confined)
-                                      : raks::engine::serve_sound(is_confined);
+        const bool is_for_films =
+            !arguments->words.empty() && arguments->words.front() == "--pictures";
+        return is_for_films ? serve_films(*arguments) : serve_sound(*arguments);
     } catch (const std::exception& problem) {
         // No memory within the limit, as a rule.
         std::fprintf(stderr, "raks-decode: %s\n", problem.what());

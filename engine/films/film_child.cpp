@@ -15,6 +15,7 @@
 
 #include "base/printable.hpp"
 #include "base/program_parts.hpp"
+#include "base/talking_child.hpp"
 #include "base/time.hpp"
 
 namespace raks::engine {
@@ -159,6 +160,9 @@ Expected<FilmInfo> FilmChild::open(const std::filesystem::path& path) {
     if (waited != Waited::answer || message_.kind != DecodeKind::opened || !is_size(film) ||
         !std::isfinite(film.pictures_per_second) || !std::isfinite(message_.head.claimed_seconds)) {
         return fail(name_ + ": " + end(waited) + " before its first picture");
+    }
+    if (message_.head.is_confined == 0) {
+        note_uncaged_child();
     }
     has_film_ = true;
     FilmInfo info{.width = film.width,

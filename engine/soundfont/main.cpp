@@ -2,9 +2,6 @@
 // their paths. It opens them, enters a cage, and reads them there, where a damaged or malicious
 // soundfont can at worst end it.
 #include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,25 +16,14 @@
 
 #include "audio/music/instruments/soundfont_player.hpp"
 #include "audio/music/instruments/soundfont_protocol.hpp"
-#include "base/talking_child.hpp"
-#include "engine/decode/confine.hpp"
+#include "base/talk_answer.hpp"
+#include "engine/decode/caged_program.hpp"
 
 namespace raks::engine {
 namespace {
 
-using audio::kSoundfontSocket;
-
-constexpr std::uint64_t kMemory = std::uint64_t{2} << 30U;  // bytes, beside what libraries take
-constexpr rlim_t kSeconds = 300;                            // of the processor
+constexpr Cage kCage{.more_memory = std::uint64_t{2} << 30U, .seconds = 300};
 constexpr std::uint64_t kMostNotes = 10'000'000;
-
-// raks-train, which waits, knows when it is too late.
-constexpr TalkDeadline kNever = TalkDeadline::max();
-
-bool is_started_by_raks() {
-    struct stat status {};
-    return fstat(kSoundfontSocket, &status) == 0 && S_ISSOCK(status.st_mode);
-}
 
 Expected<std::vector<audio::SoundfontFile>> open_files(std::span<const std::string_view> paths) {
     std::vector<audio::SoundfontFile> files;
@@ -54,22 +40,16 @@ Expected<std::vector<audio::SoundfontFile>> open_files(std::span<const std::stri
 
 template <typename T>
 bool receive(std::span<T> into) {
-    return receive_all(kSoundfontSocket, std::as_writable_bytes(into), kNever) == Talk::good;
+    return receive_all(kTalkSocket, std::as_writable_bytes(into), kNever) == Talk::good;
 }
 
-void answer(audio::SoundfontAnswer head, std::span<const std::byte> bytes) {
-    if (send_all(kSoundfontSocket, std::as_bytes(std::span(&head, 1)), kNever) == Talk::good) {
-        static_cast<void>(send_all(kSoundfontSocket, bytes, kNever));
-    }
-}
-
-void refuse(std::string_view why) {
-    const std::string_view words = why.substr(0, audio::kMostSoundfontWords);
-    answer({.words = static_cast<std::uint32_t>(words.size())}, std::as_bytes(std::span(words)));
+void answer(const Expected<std::span<const std::byte>>& made, bool is_caged) {
+    static_cast<void>(send_answer(kTalkSocket, made, is_caged));
 }
 
 void play(audio::SoundfontPlayer& player,
-          const Expected<std::vector<audio::SoundfontFile>>& files) {
+          const Expected<std::vector<audio::SoundfontFile>>& files,
+          bool is_caged) {
     audio::SoundfontPiece piece;
     if (!receive(std::span(&piece, 1)) || piece.magic != audio::SoundfontPiece().magic ||
         piece.notes > kMostNotes) {
@@ -83,13 +63,13 @@ void play(audio::SoundfontPlayer& player,
     }
     const auto loaded = files ? player.load(*files) : fail(files.error());
     if (!loaded) {
-        refuse(loaded.error().message);
+        answer(fail(loaded.error()), is_caged);
         return;
     }
     const std::vector<float> samples = piece.has_band != 0
                                            ? player.play(performance, piece.room, piece.band)
                                            : player.play(performance, piece.room);
-    answer({.is_good = 1}, std::as_bytes(std::span(samples)));
+    answer(std::as_bytes(std::span(samples)), is_caged);
 }
 
 }  // namespace
@@ -97,29 +77,22 @@ void play(audio::SoundfontPlayer& player,
 
 int main(int argc, char** argv) {
     using namespace raks::engine;
-    if (!is_started_by_raks()) {
+    const auto arguments = arguments_of_raks(argc, argv);
+    if (!arguments) {
         std::fputs("raks-soundfont: is started by raks train, to play soundfonts; use raks train\n",
                    stderr);
-        return 2;
+        return kWrongUsage;
     }
-    std::vector<std::string_view> paths(argv + 1, argv + argc);
-    const bool is_to_be_caged = paths.empty() || paths.back() != "--no-sandbox";
-    if (!is_to_be_caged) {
-        paths.pop_back();
-    }
+    bool is_caged = true;  // before it is, nothing is read
     try {
-        const auto files = open_files(paths);
+        const auto files = open_files(arguments->words);
         raks::audio::SoundfontPlayer player;  // its settings look at the machine
-        const rlimit processor{kSeconds, kSeconds};
-        static_cast<void>(setrlimit(RLIMIT_CPU, &processor));
-        if (is_to_be_caged) {
-            static_cast<void>(confine(kMemory));
-        }
-        play(player, files);
+        is_caged = enter_cage(*arguments, kCage);
+        play(player, files, is_caged);
     } catch (const std::bad_alloc&) {
-        refuse("a soundfont takes more than 2 GiB to play");
+        answer(raks::fail("a soundfont takes more than 2 GiB to play"), is_caged);
     } catch (const std::exception& problem) {
-        refuse(problem.what());
+        answer(raks::fail(problem.what()), is_caged);
     }
     // What a soundfont has broken need not be taken down in order.
     _exit(0);

@@ -1,21 +1,15 @@
 // The program raks-unpack: unpacks the pictures and meshes of one model for raks, which starts it
 // and hands them to it one after the other. It runs in a cage, which damaged or malicious bytes can
 // at worst end.
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "base/talking_child.hpp"
-#include "engine/decode/confine.hpp"
+#include "base/talk_answer.hpp"
+#include "engine/decode/caged_program.hpp"
 #include "engine/unpack/unpackers.hpp"
 #include "render/import/import_budget.hpp"
 #include "render/import/unpack_protocol.hpp"
@@ -23,40 +17,25 @@
 namespace raks::engine {
 namespace {
 
-using render::kUnpackSocket;
-using render::UnpackAnswer;
 using render::UnpackRequest;
 
-constexpr std::uint64_t kMemory = std::uint64_t{2} << 30U;  // bytes, beside what libraries take
-constexpr rlim_t kSeconds = 60;                             // of the processor
-
-// raks, which waits, knows when it is too late.
-constexpr TalkDeadline kNever = TalkDeadline::max();
-
-bool is_started_by_raks() {
-    struct stat status {};
-    return fstat(kUnpackSocket, &status) == 0 && S_ISSOCK(status.st_mode);
-}
+constexpr Cage kCage{.more_memory = std::uint64_t{2} << 30U, .seconds = 60};
 
 bool is_in_bounds(const UnpackRequest& what) {
     return what.magic == UnpackRequest().magic && what.packed_bytes <= render::kMostModelBytes &&
            what.row_bytes > 0 && what.rows <= render::kMostModelBytes / what.row_bytes;
 }
 
-Expected<void> unpack_within_memory(const UnpackRequest& what,
-                                    const std::vector<std::byte>& packed,
-                                    std::vector<std::byte>& out) {
+Expected<std::span<const std::byte>> unpack_within_memory(const UnpackRequest& what,
+                                                          const std::vector<std::byte>& packed,
+                                                          std::vector<std::byte>& out) {
     try {
         out.resize(static_cast<std::size_t>(what.rows * what.row_bytes));
-        return unpack(what, packed, out);
+        const auto done = unpack(what, packed, out);
+        return done ? Expected<std::span<const std::byte>>(out) : fail(done.error());
     } catch (const std::bad_alloc&) {
         return fail("it takes more than 2 GiB to unpack");
     }
-}
-
-Talk send_answer(UnpackAnswer answer, std::span<const std::byte> bytes) {
-    const Talk sent = send_all(kUnpackSocket, std::as_bytes(std::span(&answer, 1)), kNever);
-    return sent == Talk::good ? send_all(kUnpackSocket, bytes, kNever) : sent;
 }
 
 /// One thing after the other, until raks wants no more.
@@ -66,30 +45,15 @@ void serve(bool is_caged) {
     std::vector<std::byte> out;
     Talk talk = Talk::good;
     while (talk == Talk::good &&
-           receive_all(kUnpackSocket, std::as_writable_bytes(std::span(&what, 1)), kNever) ==
+           receive_all(kTalkSocket, std::as_writable_bytes(std::span(&what, 1)), kNever) ==
                Talk::good &&
            is_in_bounds(what)) {
         packed.resize(static_cast<std::size_t>(what.packed_bytes));
-        if (receive_all(kUnpackSocket, packed, kNever) != Talk::good) {
+        if (receive_all(kTalkSocket, packed, kNever) != Talk::good) {
             return;
         }
-        const auto done = unpack_within_memory(what, packed, out);
-        UnpackAnswer answer{.is_good = done ? 1U : 0U, .is_caged = is_caged ? 1U : 0U};
-        if (done) {
-            talk = send_answer(answer, out);
-            continue;
-        }
-        const std::string_view words =
-            std::string_view(done.error().message).substr(0, render::kMostUnpackWords);
-        answer.words = static_cast<std::uint32_t>(words.size());
-        talk = send_answer(answer, std::as_bytes(std::span(words)));
+        talk = send_answer(kTalkSocket, unpack_within_memory(what, packed, out), is_caged);
     }
-}
-
-bool is_caged(bool is_to_be) {
-    const rlimit processor{kSeconds, kSeconds};
-    static_cast<void>(setrlimit(RLIMIT_CPU, &processor));
-    return !is_to_be || confine(kMemory) == Confinement::whole;
 }
 
 }  // namespace
@@ -97,13 +61,13 @@ bool is_caged(bool is_to_be) {
 
 int main(int argc, char** argv) {
     using namespace raks::engine;
-    if (!is_started_by_raks()) {
+    const auto arguments = arguments_of_raks(argc, argv);
+    if (!arguments) {
         std::fputs("raks-unpack: is started by raks, to unpack models; use raks\n", stderr);
-        return 2;
+        return kWrongUsage;
     }
-    const bool is_to_be_caged = argc < 2 || std::string_view(argv[1]) != "--no-sandbox";
     try {
-        serve(is_caged(is_to_be_caged));
+        serve(enter_cage(*arguments, kCage));
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "raks-unpack: %s\n", problem.what());
         return 1;

@@ -11,9 +11,6 @@
 
 namespace raks::render {
 
-/// The descriptor of raks-import: its end of the socket.
-inline constexpr int kImportSocket = 3;
-
 /// raks answers with the first two, raks-import says the others.
 enum class ImportKind : std::uint32_t {
     file,    ///< all of a file: the model at the start, then what was wanted

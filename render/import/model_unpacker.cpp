@@ -3,8 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "base/printable.hpp"
-
 namespace raks::render {
 namespace {
 
@@ -17,30 +15,10 @@ Talk unpack_over(int socket,
                  std::span<const std::byte> packed,
                  std::span<std::byte> out,
                  TalkDeadline deadline,
-                 Expected<void>& done,
-                 bool& is_caged) {
-    UnpackAnswer answer;
-    const std::uint32_t magic = answer.magic;
+                 TalkAnswer& answer) {
     Talk talk = send_all(socket, std::as_bytes(std::span(&what, 1)), deadline);
     talk = talk == Talk::good ? send_all(socket, packed, deadline) : talk;
-    talk = talk == Talk::good
-               ? receive_all(socket, std::as_writable_bytes(std::span(&answer, 1)), deadline)
-               : talk;
-    if (talk != Talk::good) {
-        return talk;
-    }
-    if (answer.magic != magic || answer.words > kMostUnpackWords) {
-        return Talk::nonsense;
-    }
-    is_caged = answer.is_caged != 0;
-    if (answer.is_good != 0) {
-        done = {};
-        return receive_all(socket, out, deadline);
-    }
-    std::string words(answer.words, '\0');
-    talk = receive_all(socket, std::as_writable_bytes(std::span(words)), deadline);
-    done = fail(printable(words));
-    return talk;
+    return talk == Talk::good ? receive_answer(socket, out, deadline, answer) : talk;
 }
 
 Expected<void> ModelUnpacker::unpack(UnpackRequest what,
@@ -57,16 +35,15 @@ Expected<void> ModelUnpacker::unpack(UnpackRequest what,
         child_.emplace(std::move(*started));
     }
     what.packed_bytes = packed.size();
-    Expected<void> done;
-    bool is_caged = true;
-    const Talk talk = unpack_over(child_->socket(), what, packed, out, *deadline_, done, is_caged);
+    TalkAnswer answer;
+    const Talk talk = unpack_over(child_->socket(), what, packed, out, *deadline_, answer);
     if (talk != Talk::good) {
         const std::string why = child_->end(talk, longest_);
         child_.reset();
         return fail(why);
     }
-    is_uncaged_ = is_uncaged_ || !is_caged;
-    return done;
+    is_uncaged_ = is_uncaged_ || !answer.is_caged;
+    return answer.done;
 }
 
 }  // namespace raks::render

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/expected.hpp"
+#include "base/talk_answer.hpp"
 #include "base/talking_child.hpp"
 #include "render/import/unpack_protocol.hpp"
 
@@ -44,14 +45,12 @@ class ModelUnpacker {
     bool is_uncaged_ = false;
 };
 
-/// Our side of one request. Good: `done` is what came of it, `is_caged` how. Whatever the other
-/// side says, no more than `out` is written to. Threads: one a socket. Real-time: no.
+/// Our side of one request, as receive_answer has it. Threads: one a socket. Real-time: no.
 [[nodiscard]] Talk unpack_over(int socket,
                                const UnpackRequest& what,
                                std::span<const std::byte> packed,
                                std::span<std::byte> out,
                                TalkDeadline deadline,
-                               Expected<void>& done,
-                               bool& is_caged);
+                               TalkAnswer& answer);
 
 }  // namespace raks::render

@@ -6,9 +6,6 @@
 
 namespace raks::render {
 
-/// The descriptor of raks-unpack: its end of the socket.
-inline constexpr int kUnpackSocket = 3;
-
 /// What is packed.
 enum class PackedKind : std::uint32_t {
     png,        ///< to red, green, blue and opacity, each a byte
@@ -22,8 +19,8 @@ enum class PackedKind : std::uint32_t {
 /// How meshopt's vertices are to be changed once they are unpacked.
 enum class PackedFilter : std::uint32_t { none, octahedral, quaternion, exponential };
 
-/// What raks asks; the packed bytes follow it. What is unpacked has `rows` times `row_bytes` bytes:
-/// lines of a picture, or vertices or indices.
+/// What raks asks; the packed bytes follow it. The answer (base/talk_answer.hpp) is what is
+/// unpacked, `rows` times `row_bytes` bytes: lines of a picture, or vertices or indices.
 struct UnpackRequest {
     std::uint32_t magic = 0x52550001;  ///< other builds have another one
     PackedKind kind = PackedKind::png;
@@ -47,15 +44,5 @@ struct UnpackRequest {
            (mesh.filter == PackedFilter::octahedral && (stride == 4 || stride == 8)) ||
            (mesh.filter == PackedFilter::quaternion && stride == 8);
 }
-
-/// The answer; the unpacked bytes follow it or, of what is broken, the words of `words` bytes.
-struct UnpackAnswer {
-    std::uint32_t magic = 0x52550002;  ///< other builds have another one
-    std::uint32_t is_good = 0;         ///< 0 or 1
-    std::uint32_t is_caged = 0;        ///< 0 or 1: by seccomp
-    std::uint32_t words = 0;           ///< at most kMostUnpackWords
-};
-
-inline constexpr std::uint32_t kMostUnpackWords = 400;
 
 }  // namespace raks::render

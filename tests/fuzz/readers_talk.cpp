@@ -98,12 +98,11 @@ bool read_unpack_talk(std::string_view bytes) {
     line.say(bytes);
     line.end();
     std::vector<std::byte> out(32);
-    Expected<void> done;
-    bool is_caged = false;
+    TalkAnswer answer;
     const render::UnpackRequest what{.row_bytes = 16, .rows = 2};
-    const Talk talk = render::unpack_over(line.ours.number, what, {}, out, soon(), done, is_caged);
-    if (talk == Talk::good && !done) {
-        must_be_one_line(done.error().message);
+    const Talk talk = render::unpack_over(line.ours.number, what, {}, out, soon(), answer);
+    if (talk == Talk::good && !answer.done) {
+        must_be_one_line(answer.done.error().message);
     }
     return talk == Talk::good;
 }

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "audio/music/instruments/soundfont_protocol.hpp"
-#include "base/printable.hpp"
-#include "base/talking_child.hpp"
+#include "base/talk_answer.hpp"
 
 namespace raks::audio {
 namespace {
@@ -113,23 +112,16 @@ std::vector<std::filesystem::path> draw_soundfonts(
 }
 
 Talk receive_played(int socket, TalkDeadline deadline, Expected<std::vector<float>>& samples) {
-    SoundfontAnswer answer;
-    const std::uint32_t magic = answer.magic;
-    Talk talk = receive_all(socket, std::as_writable_bytes(std::span(&answer, 1)), deadline);
+    TalkAnswer answer;
+    const Talk talk =
+        receive_answer(socket, std::as_writable_bytes(std::span(*samples)), deadline, answer);
     if (talk != Talk::good) {
         return talk;
     }
-    if (answer.magic != magic || answer.words > kMostSoundfontWords) {
-        return Talk::nonsense;
+    if (!answer.done) {
+        samples = fail(std::move(answer.done.error()));
     }
-    if (answer.is_good != 0) {
-        talk = receive_all(socket, std::as_writable_bytes(std::span(*samples)), deadline);
-        return talk == Talk::good && !are_finite(*samples) ? Talk::nonsense : talk;
-    }
-    std::string words(answer.words, '\0');
-    talk = receive_all(socket, std::as_writable_bytes(std::span(words)), deadline);
-    samples = fail(printable(words));
-    return talk;
+    return !samples || are_finite(*samples) ? Talk::good : Talk::nonsense;
 }
 
 Expected<std::vector<float>> play_with(std::span<const std::filesystem::path> soundfonts,

@@ -12,10 +12,8 @@
 
 namespace raks::audio {
 
-/// The descriptor of raks-soundfont: its end of the socket. Its arguments are the soundfonts.
-inline constexpr int kSoundfontSocket = 3;
-
-/// What is to be played; `notes` times a PlayedNote follow.
+/// What is to be played; `notes` times a PlayedNote follow. The answer (base/talk_answer.hpp) is as
+/// many samples as the piece has. The arguments of raks-soundfont are the soundfonts.
 struct SoundfontPiece {
     std::uint32_t magic = 0x52530001;  ///< other builds have another one
     std::uint32_t has_band = 0;        ///< 0: the first soundfont plays everything
@@ -26,16 +24,6 @@ struct SoundfontPiece {
 };
 
 static_assert(std::is_trivially_copyable_v<SoundfontPiece>);
-
-/// The answer; as many samples as the piece has follow or, of a soundfont that cannot be loaded,
-/// the words of `words` bytes.
-struct SoundfontAnswer {
-    std::uint32_t magic = 0x52530002;  ///< other builds have another one
-    std::uint32_t is_good = 0;         ///< 0 or 1
-    std::uint32_t words = 0;           ///< at most kMostSoundfontWords
-};
-
-inline constexpr std::uint32_t kMostSoundfontWords = 1000;
 
 /// Takes the answer. Good: `samples`, which has room for those of the piece, holds them, all
 /// finite, or why there are none. Threads: one a socket. Real-time: no.

@@ -16,6 +16,7 @@
 #include "base/descriptor.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "base/talking_child.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::audio {
@@ -97,10 +98,20 @@ TEST_F(SoundfontBand, whose_player_breaks_off_or_says_nonsense_is_one_line) {
     EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader sent a broken answer and was ended");
     // Samples that are no numbers.
     replace(
-        "printf '\\x02\\0SR\\1\\0\\0\\0\\0\\0\\0\\0' >&3\n"
+        "printf '\\x01\\0AR\\1\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0' >&3\n"
         "head -c 200000 /dev/zero | tr '\\0' '\\377' >&3\nsleep 100\n");
     EXPECT_EQ(message(kTiny), kTiny.string() + ": its reader sent a broken answer and was ended");
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child of ours is left
+}
+
+TEST_F(SoundfontBand, whose_player_has_no_cage_is_noted) {
+    ASSERT_TRUE(play({kTiny}));
+    EXPECT_FALSE(is_any_child_uncaged());
+    replace(
+        "printf '\\x01\\0AR\\1\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0' >&3\n"
+        "head -c 200000 /dev/zero >&3\nsleep 100\n");
+    EXPECT_TRUE(play({kTiny}));
+    EXPECT_TRUE(is_any_child_uncaged());
 }
 
 }  // namespace

@@ -165,10 +165,10 @@ TEST_F(Unpacking, by_one_that_says_nonsense_is_one_line) {
     replace("head -c 100000 /dev/urandom >&3\nsleep 100\n");
     EXPECT_EQ(message(), nonsense);
     // Words of 4 GB.
-    replace("printf '\\x02\\0UR\\0\\0\\0\\0\\1\\0\\0\\0\\xff\\xff\\xff\\xff' >&3\nsleep 100\n");
+    replace("printf '\\x01\\0AR\\0\\0\\0\\0\\1\\0\\0\\0\\xff\\xff\\xff\\xff' >&3\nsleep 100\n");
     EXPECT_EQ(message(), nonsense);
     // A word that would move the cursor of a terminal.
-    replace("printf '\\x02\\0UR\\0\\0\\0\\0\\1\\0\\0\\0\\3\\0\\0\\0a\\x1bb' >&3\nsleep 100\n");
+    replace("printf '\\x01\\0AR\\0\\0\\0\\0\\1\\0\\0\\0\\3\\0\\0\\0a\\x1bb' >&3\nsleep 100\n");
     EXPECT_EQ(message(), "a?b");
 }
 
@@ -177,7 +177,7 @@ TEST_F(Unpacking, without_a_cage_is_known) {
     EXPECT_EQ(message(unpacker), "");
     EXPECT_FALSE(unpacker.is_uncaged());
     replace(
-        "printf '\\x02\\0UR\\1\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0' >&3\n"
+        "printf '\\x01\\0AR\\1\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0' >&3\n"
         "head -c 32 /dev/zero >&3\nsleep 100\n");
     ModelUnpacker uncaged;
     EXPECT_EQ(message(uncaged), "");
@@ -186,7 +186,7 @@ TEST_F(Unpacking, without_a_cage_is_known) {
 
 TEST_F(Unpacking, by_one_that_hangs_is_ended) {
     // It says that all is well and gives one byte of 32.
-    replace("printf '\\x02\\0UR\\1\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0a' >&3\nsleep 100\n");
+    replace("printf '\\x01\\0AR\\1\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0a' >&3\nsleep 100\n");
     EXPECT_EQ(message(200ms), "its reader took more than 0.2 s and was ended");
     replace("sleep 100\n");
     ModelUnpacker unpacker(200ms);
