@@ -1,17 +1,16 @@
 #include "base/talking_child.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/socket.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
-#include "base/child_process.hpp"
 #include "base/program_parts.hpp"
 
 namespace raks {
@@ -19,16 +18,11 @@ namespace {
 
 std::atomic<bool> g_is_any_uncaged{false};  // relaxed: it orders nothing
 
-Talk wait_for(int socket, short events, TalkDeadline deadline) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        deadline - std::chrono::steady_clock::now());
-    if (left.count() <= 0) {
-        return Talk::late;
-    }
+// Whether something can be done within a moment.
+bool is_soon(int socket, short events) {
+    constexpr int kMilliseconds = 50;
     pollfd look{socket, events, 0};
-    constexpr std::int64_t kLongest = 1000;
-    ::poll(&look, 1, static_cast<int>(std::min(left.count(), kLongest)));
-    return Talk::good;
+    return ::poll(&look, 1, kMilliseconds) > 0;
 }
 
 // sendmsg and recvmsg are the calls that the cages of children allow.
@@ -38,7 +32,7 @@ Talk move_all(int socket,
               std::byte* bytes,
               std::size_t size,
               Call call,
-              TalkDeadline deadline) {
+              const Patience& patience) {
     while (size > 0) {
         iovec piece{bytes, size};
         msghdr message{};
@@ -50,8 +44,10 @@ Talk move_all(int socket,
             size -= static_cast<std::size_t>(moved);
         } else if (moved == 0 || (errno != EAGAIN && errno != EINTR)) {
             return Talk::broke;
-        } else if (const auto waited = wait_for(socket, events, deadline); waited != Talk::good) {
-            return waited;
+        } else if (const Talk talk = patience(); talk != Talk::good) {
+            return talk;
+        } else {
+            static_cast<void>(is_soon(socket, events));
         }
     }
     return Talk::good;
@@ -59,38 +55,77 @@ Talk move_all(int socket,
 
 }  // namespace
 
+Patience until(TalkDeadline deadline, std::function<bool()> is_stop_requested) {
+    return [deadline, is_stop_requested = std::move(is_stop_requested)] {
+        if (is_stop_requested && is_stop_requested()) {
+            return Talk::stopped;
+        }
+        return std::chrono::steady_clock::now() < deadline ? Talk::good : Talk::late;
+    };
+}
+
+Talk wait_to_receive(int socket, const Patience& patience) {
+    Talk talk = Talk::good;
+    while (talk == Talk::good && !is_soon(socket, POLLIN)) {
+        talk = patience();
+    }
+    return talk;
+}
+
 Talk send_all(int socket, std::span<const std::byte> bytes, TalkDeadline deadline) {
     const auto call = [socket](msghdr& message) {
         return ::sendmsg(socket, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
     };
     // An iovec does not say that what it points to is only read.
     return move_all(
-        socket, POLLOUT, const_cast<std::byte*>(bytes.data()), bytes.size(), call, deadline);
+        socket, POLLOUT, const_cast<std::byte*>(bytes.data()), bytes.size(), call, until(deadline));
 }
 
-Talk receive_all(int socket, std::span<std::byte> bytes, TalkDeadline deadline) {
+Talk receive_all(int socket, std::span<std::byte> bytes, const Patience& patience) {
     const auto call = [socket](msghdr& message) {
         return ::recvmsg(socket, &message, MSG_DONTWAIT);
     };
-    return move_all(socket, POLLIN, bytes.data(), bytes.size(), call, deadline);
+    return move_all(socket, POLLIN, bytes.data(), bytes.size(), call, patience);
 }
 
-Expected<TalkingChild> TalkingChild::start(const TalkingPart& part,
-                                           std::vector<std::string> arguments) {
-    const auto program = find_program_part(part.name, "libexec/raks", part.variable);
+Talk receive_all(int socket, std::span<std::byte> bytes, TalkDeadline deadline) {
+    return receive_all(socket, bytes, until(deadline));
+}
+
+bool TalkEnds::make_sockets(int kind) {
+    std::array<int, 2> pair{-1, -1};
+    const bool is_made = ::socketpair(AF_UNIX, kind | SOCK_CLOEXEC, 0, pair.data()) == 0;
+    ours.number = pair[0];
+    childs.number = pair[1];
+    return is_made;
+}
+
+bool TalkEnds::make_lifeline() {
+    std::array<int, 2> pair{-1, -1};
+    const bool is_made = ::pipe2(pair.data(), O_CLOEXEC) == 0;
+    childs.number = pair[0];
+    ours.number = pair[1];
+    return is_made;
+}
+
+Expected<std::filesystem::path> find_talking_part(const TalkingPart& part) {
+    return find_program_part(part.name, "libexec/raks", part.variable);
+}
+
+Expected<TalkingChild> TalkingChild::start(const TalkingPart& part, TalkingStart how) {
+    const auto program = find_talking_part(part);
     if (!program) {
         return fail(program.error());
     }
-    std::array<int, 2> pair{-1, -1};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
+    TalkEnds ends;
+    if (!ends.make_sockets(how.kind)) {
         return fail(fmt::format(
             "{} cannot be started: {}", part.name, std::generic_category().message(errno)));
     }
-    Descriptor ours(pair[0]);
-    const Descriptor childs(pair[1]);
+    how.more_descriptors.insert(how.more_descriptors.begin(), ends.childs.number);
     ChildStart start{.program = *program,
-                     .arguments = std::move(arguments),
-                     .descriptors = std::span(&childs.number, 1)};
+                     .arguments = std::move(how.arguments),
+                     .descriptors = how.more_descriptors};
 #ifdef RAKS_CHILDREN_UNCONFINED
     start.arguments.emplace_back("--no-sandbox");
     start.is_heard = true;
@@ -99,20 +134,27 @@ Expected<TalkingChild> TalkingChild::start(const TalkingPart& part,
     if (!pid) {
         return fail(pid.error());
     }
-    return TalkingChild(*pid, ours);
+    return TalkingChild(*pid, ends.ours, how.is_ended_alone);
+}
+
+TalkingChild TalkingChild::adopt(pid_t pid, Descriptor& socket) {
+    return TalkingChild(pid, socket, true);
 }
 
 TalkingChild::TalkingChild(TalkingChild&& other) noexcept
-    : pid_(std::exchange(other.pid_, -1)), socket_(other.socket_.release()) {}
+    : pid_(std::exchange(other.pid_, -1)),
+      is_ended_alone_(other.is_ended_alone_),
+      socket_(other.socket_.release()) {}
 
-TalkingChild::~TalkingChild() {
-    if (pid_ >= 0) {
-        end_child_group(pid_);
-    }
+TalkingChild::~TalkingChild() { end(); }
+
+std::string TalkingChild::end() {
+    const pid_t pid = std::exchange(pid_, -1);
+    return pid < 0 ? "" : is_ended_alone_ ? end_child(pid) : end_child_group(pid);
 }
 
 std::string TalkingChild::end(Talk why, std::chrono::milliseconds longest) {
-    const std::string how = end_child_group(std::exchange(pid_, -1));
+    const std::string how = end();
     switch (why) {
         case Talk::late:
             return fmt::format("its reader took more than {} s and was ended",
@@ -120,6 +162,7 @@ std::string TalkingChild::end(Talk why, std::chrono::milliseconds longest) {
         case Talk::broke:
             return fmt::format("its reader ended too soon ({}): it is damaged, or too large", how);
         case Talk::good:
+        case Talk::stopped:
         case Talk::nonsense:
             break;
     }

@@ -52,7 +52,7 @@ std::string_view DecodeMessage::words() const noexcept {
     return {text.data(), std::min<std::size_t>(text_bytes, text.size())};
 }
 
-Passed send_message(int socket, const DecodeMessage& message, std::span<const int> descriptors) {
+Talk send_message(int socket, const DecodeMessage& message, std::span<const int> descriptors) {
     iovec body{const_cast<DecodeMessage*>(&message), kFixedBytes + message.words().size()};
     msghdr header{};
     header.msg_iov = &body;
@@ -71,10 +71,10 @@ Passed send_message(int socket, const DecodeMessage& message, std::span<const in
     do {
         sent = ::sendmsg(socket, &header, MSG_NOSIGNAL);
     } while (sent < 0 && errno == EINTR);
-    return sent < 0 ? Passed::no_peer : Passed::yes;
+    return sent < 0 ? Talk::broke : Talk::good;
 }
 
-Passed receive_message(int socket, DecodeMessage& message, std::span<int> descriptors) {
+Talk receive_message(int socket, DecodeMessage& message, std::span<int> descriptors) {
     iovec body{&message, sizeof message};
     Beside beside{};
     msghdr header{};
@@ -87,13 +87,18 @@ Passed receive_message(int socket, DecodeMessage& message, std::span<int> descri
         got = ::recvmsg(socket, &header, MSG_CMSG_CLOEXEC);
     } while (got < 0 && errno == EINTR);
     if (got <= 0) {
-        return Passed::no_peer;
+        return Talk::broke;
     }
     take_descriptors(header, descriptors);
     const auto bytes = static_cast<std::size_t>(got);
     const bool is_whole = bytes >= kFixedBytes && message.magic == kDecodeMagic &&
                           message.text_bytes == bytes - kFixedBytes;
-    return is_whole ? Passed::yes : Passed::nonsense;
+    return is_whole ? Talk::good : Talk::nonsense;
+}
+
+Talk await_message(int socket, DecodeMessage& message, const Patience& patience) {
+    const Talk waited = wait_to_receive(socket, patience);
+    return waited == Talk::good ? receive_message(socket, message) : waited;
 }
 
 }  // namespace raks::audio

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "audio/io/audio_file.hpp"
+#include "base/talking_child.hpp"
 
 /// What raks and the program raks-decode say to one another: messages over a socket that keeps
 /// their bounds, samples in memory that both see. Both programs are of the same build.
@@ -17,10 +18,10 @@
 namespace raks::audio {
 
 /// Descriptors of a decoder; the fork server (decoder_fork_server.hpp) has the first alone.
-inline constexpr int kDecodeSocket = 3;
-inline constexpr int kDecodeMemory = 4;
-inline constexpr int kDecodePictures = 4;  ///< in its place: where pictures are written
-inline constexpr int kDecodeLifeline = 5;  ///< a pipe that closes when raks ends
+inline constexpr int kDecodeSocket = kTalkSocket;
+inline constexpr int kDecodeMemory = kDecodeSocket + 1;
+inline constexpr int kDecodePictures = kDecodeMemory;  ///< in its place: where pictures are written
+inline constexpr int kDecodeLifeline = kDecodeSocket + 2;  ///< a pipe that closes when raks ends
 
 /// Names of the processes, as lists of them show.
 inline constexpr const char* kForkServerName = "raks-decoders";
@@ -88,20 +89,19 @@ struct DecodeMessage {
     [[nodiscard]] std::string_view words() const noexcept;
 };
 
-/// How a send or a receive ended.
-enum class Passed : std::uint8_t { yes, no_peer, nonsense };
-
 inline constexpr std::size_t kMostDescriptors = 3;  ///< beside a message
 
 /// Sends, with at most three descriptors. Waits for room.
-[[nodiscard]] Passed send_message(int socket,
-                                  const DecodeMessage& message,
-                                  std::span<const int> descriptors = {});
+[[nodiscard]] Talk send_message(int socket,
+                                const DecodeMessage& message,
+                                std::span<const int> descriptors = {});
 /// Receives; waits. The descriptors that came along are put into `descriptors`, -1 for what did
 /// not come; those for which there is no place are closed.
-[[nodiscard]] Passed receive_message(int socket,
-                                     DecodeMessage& message,
-                                     std::span<int> descriptors = {});
+[[nodiscard]] Talk receive_message(int socket,
+                                   DecodeMessage& message,
+                                   std::span<int> descriptors = {});
+/// The same without descriptors, but waits no longer than `patience` has it.
+[[nodiscard]] Talk await_message(int socket, DecodeMessage& message, const Patience& patience);
 
 inline constexpr std::size_t kDecodeSlots = 8;
 inline constexpr std::size_t kDecodeSlotSamples = 16'384;

@@ -1,7 +1,6 @@
 #include "audio/io/decoder_client.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
+#include "audio/io/decoder_part.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
-#include "base/talking_child.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +20,6 @@ namespace {
 
 constexpr Nanos kLongestSilence = std::chrono::seconds(2);  // without a sign of life
 constexpr Nanos kLongestAnswer = std::chrono::seconds(30);  // of a file, with such signs
-constexpr int kPollMilliseconds = 50;
 
 // What a decoder says, fit for people.
 std::string line_of(std::string_view words) { return printable(words, kDecodeTextBytes); }
@@ -48,13 +46,13 @@ Expected<void> DecoderClient::start() {
     ask.kind = source_.is_pipe ? DecodeKind::open_pipe : DecodeKind::open_file;
     ask.value = source_.longest_wait.count();
     ask.set_text(source_.name);
-    const Passed sent = send_message(process_->socket(), ask, std::span(&source_.descriptor, 1));
-    const Waited waited = sent == Passed::yes ? receive() : Waited::broke;
-    if (waited == Waited::answer && message_.kind == DecodeKind::failed) {
+    const Talk sent = send_message(process_->socket(), ask, std::span(&source_.descriptor, 1));
+    const Talk talk = sent == Talk::good ? receive() : sent;
+    if (talk == Talk::good && message_.kind == DecodeKind::failed) {
         return fail(line_of(message_.words()));
     }
-    if (waited != Waited::answer || !take_head()) {
-        return fail(source_.name + ": " + end(waited) + " before its first sound");
+    if (talk != Talk::good || !take_head()) {
+        return fail(source_.name + ": " + end(talk) + " before its first sound");
     }
     return {};
 }
@@ -88,18 +86,14 @@ bool DecoderClient::take_head() {
     return true;
 }
 
-// Until something can be received, or its end shows.
-Waited DecoderClient::wait() {
+// The next message.
+Talk DecoderClient::receive() {
     const HostTime start = HostClock::now();
     HostTime alive = start;
     std::uint64_t beat = 0;
-    for (;;) {
-        pollfd look{process_->socket(), POLLIN, 0};
-        if (::poll(&look, 1, kPollMilliseconds) > 0) {
-            return Waited::answer;
-        }
+    return await_message(process_->socket(), message_, [&] {
         if (source_.is_stop_requested()) {
-            return Waited::stopped;
+            return Talk::stopped;
         }
         const HostTime now = HostClock::now();
         // relaxed: orders nothing
@@ -107,24 +101,14 @@ Waited DecoderClient::wait() {
         if (seen != std::exchange(beat, seen)) {
             alive = now;
         }
-        if (now - alive > kLongestSilence || (!source_.is_pipe && now - start > kLongestAnswer)) {
-            return Waited::hung;
-        }
-    }
-}
-
-// The next message.
-Waited DecoderClient::receive() {
-    const Waited waited = wait();
-    if (waited != Waited::answer) {
-        return waited;
-    }
-    const Passed passed = receive_message(process_->socket(), message_);
-    return passed == Passed::yes ? Waited::answer : Waited::broke;
+        const bool is_hung =
+            now - alive > kLongestSilence || (!source_.is_pipe && now - start > kLongestAnswer);
+        return is_hung ? Talk::late : Talk::good;
+    });
 }
 
 // Ends the process; returns what happened, in words.
-std::string DecoderClient::end(Waited why) {
+std::string DecoderClient::end(Talk why) {
     const std::string how = process_->end();
     process_.reset();
     has_slot_ = false;
@@ -133,9 +117,9 @@ std::string DecoderClient::end(Waited why) {
 }
 
 // The sound ends here, and the warning says why.
-void DecoderClient::break_off(Waited why) {
+void DecoderClient::break_off(Talk why) {
     const std::string what = end(why);
-    if (why != Waited::stopped) {
+    if (why != Talk::stopped) {
         warning_ = fmt::format("{}: {} at {:.2f} s; the rest is left out",
                                source_.name,
                                what,
@@ -178,9 +162,9 @@ bool DecoderClient::next_slot() {
     if (has_slot_ || is_at_end_) {
         return has_slot_;
     }
-    const Waited waited = receive();
-    if (waited != Waited::answer || !take_samples()) {
-        break_off(waited);
+    const Talk talk = receive();
+    if (talk != Talk::good || !take_samples()) {
+        break_off(talk);
     }
     return has_slot_;
 }
@@ -203,12 +187,12 @@ std::size_t DecoderClient::read(std::span<float> interleaved) {
 
 // The answer to a seek. Samples from before it are passed over: at most one for each slot, or the
 // decoder is not to be trusted.
-Waited DecoderClient::receive_sought() {
-    Waited waited = receive();
-    for (std::size_t i = 0; i < kDecodeSlots && waited == Waited::answer && !is_new(); ++i) {
-        waited = receive();
+Talk DecoderClient::receive_sought() {
+    Talk talk = receive();
+    for (std::size_t i = 0; i < kDecodeSlots && talk == Talk::good && !is_new(); ++i) {
+        talk = receive();
     }
-    return waited;
+    return talk;
 }
 
 Expected<void> DecoderClient::seek(std::int64_t frame) {
@@ -221,15 +205,15 @@ Expected<void> DecoderClient::seek(std::int64_t frame) {
     ask.value = frame;
     has_slot_ = false;
     is_at_end_ = false;
-    const Waited waited =
-        send_message(process_->socket(), ask) == Passed::yes ? receive_sought() : Waited::broke;
-    const bool is_answered = waited == Waited::answer && is_new();
+    const Talk sent = send_message(process_->socket(), ask);
+    const Talk talk = sent == Talk::good ? receive_sought() : sent;
+    const bool is_answered = talk == Talk::good && is_new();
     if (is_answered && message_.kind == DecodeKind::failed) {
         return fail(line_of(message_.words()));
     }
     position_ = frame;
     if (!is_answered || message_.kind != DecodeKind::sought) {
-        break_off(waited);
+        break_off(talk);
         return fail(warning_.empty() ? source_.name + ": was stopped" : warning_);
     }
     warning_ = line_of(message_.words());

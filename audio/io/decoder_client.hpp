@@ -8,7 +8,6 @@
 
 #include "audio/io/audio_file.hpp"
 #include "audio/io/decoder_process.hpp"
-#include "audio/io/decoder_spawn.hpp"
 
 namespace raks::audio {
 
@@ -41,16 +40,15 @@ class DecoderClient final : public AudioFileReader {
     DecoderClient(DecodedSource source, std::unique_ptr<DecoderProcess> process)
         : source_(std::move(source)), process_(std::move(process)) {}
     [[nodiscard]] Expected<void> start();
-    [[nodiscard]] Waited receive();
-    [[nodiscard]] Waited receive_sought();
+    [[nodiscard]] Talk receive();
+    [[nodiscard]] Talk receive_sought();
     [[nodiscard]] bool is_new() const noexcept { return message_.generation == generation_; }
-    [[nodiscard]] Waited wait();
     [[nodiscard]] bool take_head();
     [[nodiscard]] bool take_samples();
     [[nodiscard]] bool next_slot();
     void give_slot_back();
-    std::string end(Waited why);
-    void break_off(Waited why);
+    std::string end(Talk why);
+    void break_off(Talk why);
 
     DecodedSource source_;
     std::unique_ptr<DecoderProcess> process_;  // null once it is ended

@@ -1,31 +1,18 @@
 #include "audio/io/decoder_fork_server.hpp"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
-#include <span>
-#include <system_error>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "audio/io/decode_protocol.hpp"
-#include "audio/io/decoder_spawn.hpp"
-#include "base/program_parts.hpp"
-#include "base/time.hpp"
+#include "audio/io/decoder_part.hpp"
 
 namespace raks::audio {
 namespace {
 
-constexpr Nanos kLongestStart = std::chrono::seconds(30);
-constexpr std::chrono::milliseconds kPoll{50};
+constexpr std::chrono::seconds kLongestStart{30};
 constexpr std::chrono::milliseconds kTurn{2};  // between two looks whether the other is done
-
-tl::unexpected<Error> cannot_start(int error_number) {
-    return fail("raks-decode cannot be started: " + std::generic_category().message(error_number));
-}
 
 }  // namespace
 
@@ -34,58 +21,23 @@ DecoderForkServer& DecoderForkServer::get() {
     return server;
 }
 
-std::string DecoderForkServer::end() {
-    if (pid_ < 0) {
-        return {};
-    }
-    ::close(std::exchange(socket_, -1));
-    return end_child(std::exchange(pid_, -1));
-}
-
-Expected<void> DecoderForkServer::open() {
-    std::array<int, 2> ends{-1, -1};
-    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        return cannot_start(errno);
-    }
-    const auto pid = spawn_decoder({.program = program_, .descriptors = std::span(&ends[1], 1)});
-    ::close(ends[1]);
-    if (!pid) {
-        ::close(ends[0]);
-        return fail(pid.error());
-    }
-    pid_ = *pid;
-    socket_ = ends[0];
-    return {};
-}
-
-DecoderForkServer::Answered DecoderForkServer::ask(const std::array<int, 3>& descriptors,
-                                                   const std::function<bool()>& is_stop_requested,
-                                                   std::int64_t& answer) const {
+Talk DecoderForkServer::ask(const std::array<int, 3>& descriptors,
+                            const std::function<bool()>& is_stop_requested,
+                            std::int64_t& answer) const {
     DecodeMessage message;
     message.kind = DecodeKind::start;
-    if (send_message(socket_, message, descriptors) != Passed::yes) {
-        return Answered::broke;
-    }
-    const HostTime start = HostClock::now();
-    pollfd look{socket_, POLLIN, 0};
-    while (::poll(&look, 1, static_cast<int>(kPoll.count())) <= 0) {
-        if (is_stop_requested()) {
-            return Answered::stopped;
-        }
-        if (HostClock::now() - start > kLongestStart) {
-            return Answered::hung;
-        }
-    }
-    if (receive_message(socket_, message) != Passed::yes || message.kind != DecodeKind::started) {
-        return Answered::broke;
+    Talk talk = send_message(child_->socket(), message, descriptors);
+    if (talk == Talk::good) {
+        const TalkDeadline deadline = std::chrono::steady_clock::now() + kLongestStart;
+        talk = await_message(child_->socket(), message, until(deadline, is_stop_requested));
     }
     answer = message.value;
-    return Answered::yes;
+    return talk == Talk::good && message.kind != DecodeKind::started ? Talk::nonsense : talk;
 }
 
 Expected<pid_t> DecoderForkServer::start_decoder(const std::array<int, 3>& descriptors,
                                                  const std::function<bool()>& is_stop_requested) {
-    const auto program = find_program_part("raks-decode", "libexec/raks", "RAKS_DECODER");
+    const auto program = find_talking_part(kDecoderPart);
     if (!program) {
         return fail(program.error());
     }
@@ -98,36 +50,32 @@ Expected<pid_t> DecoderForkServer::start_decoder(const std::array<int, 3>& descr
         std::this_thread::sleep_for(kTurn);
     }
     if (program_ != *program) {
-        end();
+        child_.reset();
         program_ = *program;
     }
-    const bool is_new = pid_ < 0;
+    const bool is_new = !child_;
     if (is_new) {
-        if (auto opened = open(); !opened) {
-            return fail(std::move(opened.error()));
+        auto started =
+            TalkingChild::start(kDecoderPart, {.kind = SOCK_SEQPACKET, .is_ended_alone = true});
+        if (!started) {
+            return fail(std::move(started.error()));
         }
+        child_.emplace(std::move(*started));
     }
     std::int64_t answer = 0;
-    const Answered answered = ask(descriptors, is_stop_requested, answer);
-    if (answered == Answered::yes) {
+    const Talk talk = ask(descriptors, is_stop_requested, answer);
+    if (talk == Talk::good) {
         return answer > 0 ? Expected<pid_t>(static_cast<pid_t>(answer))
-                          : cannot_start(static_cast<int>(-answer));
+                          : no_decoder(static_cast<int>(-answer));
     }
     // Its late answer would be taken for that to the next question.
-    const std::string how = end();
-    switch (answered) {
-        case Answered::stopped:
-            return fail("was stopped before its first sound");
-        case Answered::hung:
-            return fail("its decoder did not answer in time and was ended before its first sound");
-        default:
-            break;
-    }
-    if (!is_new) {  // it died in the meantime
+    const std::string how = child_->end();
+    child_.reset();
+    if (!is_new && talk == Talk::broke) {  // it died in the meantime
         lock.unlock();
         return start_decoder(descriptors, is_stop_requested);
     }
-    return fail("its decoder ended too soon (" + how + ") before its first sound");
+    return fail(why_ended(talk, how) + " before its first sound");
 }
 
 }  // namespace raks::audio

@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
-#include <string>
+#include <optional>
 
 #include "base/expected.hpp"
+#include "base/talking_child.hpp"
 
 namespace raks::audio {
 
@@ -19,7 +20,6 @@ class DecoderForkServer {
  public:
     /// Of this process.
     [[nodiscard]] static DecoderForkServer& get();
-    ~DecoderForkServer() { end(); }
     DecoderForkServer(const DecoderForkServer&) = delete;             ///< one a process
     DecoderForkServer& operator=(const DecoderForkServer&) = delete;  ///< likewise
 
@@ -31,19 +31,14 @@ class DecoderForkServer {
                                                 const std::function<bool()>& is_stop_requested);
 
  private:
-    enum class Answered : std::uint8_t { yes, broke, hung, stopped };
-
     DecoderForkServer() = default;
-    [[nodiscard]] Expected<void> open();
-    [[nodiscard]] Answered ask(const std::array<int, 3>& descriptors,
-                               const std::function<bool()>& is_stop_requested,
-                               std::int64_t& answer) const;
-    std::string end();
+    [[nodiscard]] Talk ask(const std::array<int, 3>& descriptors,
+                           const std::function<bool()>& is_stop_requested,
+                           std::int64_t& answer) const;
 
     std::mutex mutex_;
     std::filesystem::path program_;
-    pid_t pid_ = -1;  // < 0: there is none
-    int socket_ = -1;
+    std::optional<TalkingChild> child_;
 };
 
 }  // namespace raks::audio

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "audio/io/decode_protocol.hpp"
 #include "base/descriptor.hpp"
 #include "base/expected.hpp"
+#include "base/talking_child.hpp"
 
 namespace raks::audio {
 
@@ -29,19 +29,18 @@ class DecoderProcess {
     DecoderProcess& operator=(const DecoderProcess&) = delete;  ///< likewise
 
     /// Where it is spoken to.
-    [[nodiscard]] int socket() const noexcept { return socket_; }
+    [[nodiscard]] int socket() const noexcept { return child_->socket(); }
     /// What both see.
     [[nodiscard]] const DecodeMemory& memory() const noexcept { return *memory_; }
     /// Ends it, if it runs, and says how it ended: "killed by SIGSEGV" or "exit code 1".
-    std::string end();
+    std::string end() { return child_->end(); }
 
  private:
     DecoderProcess() = default;
     [[nodiscard]] bool map(int memory);
 
-    pid_t pid_ = -1;
-    int socket_ = -1;
-    int lifeline_ = -1;
+    std::optional<TalkingChild> child_;
+    Descriptor lifeline_;
     DecodeMemory* memory_ = nullptr;
 };
 

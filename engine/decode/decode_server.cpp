@@ -10,7 +10,6 @@
 namespace raks::engine {
 
 using audio::DecodeKind;
-using audio::Passed;
 
 void DecodeServer::run() {
     if (!open()) {
@@ -36,7 +35,7 @@ bool DecodeServer::is_asked() const {
 bool DecodeServer::send(DecodeKind kind, std::string_view text) {
     answer_.kind = kind;
     answer_.set_text(text);
-    return audio::send_message(socket_, answer_) == Passed::yes;
+    return audio::send_message(socket_, answer_) == Talk::good;
 }
 
 Expected<std::unique_ptr<audio::AudioFileReader>> DecodeServer::open_source(int descriptor) {
@@ -58,7 +57,7 @@ Expected<std::unique_ptr<audio::AudioFileReader>> DecodeServer::open_source(int 
 // False: nothing more is to be done.
 bool DecodeServer::open() {
     int descriptor = -1;
-    if (audio::receive_message(socket_, asked_, std::span(&descriptor, 1)) != Passed::yes ||
+    if (audio::receive_message(socket_, asked_, std::span(&descriptor, 1)) != Talk::good ||
         descriptor < 0) {
         return false;
     }
@@ -85,7 +84,7 @@ bool DecodeServer::open() {
 
 // One thing that raks asks for.
 bool DecodeServer::obey() {
-    if (audio::receive_message(socket_, asked_) != Passed::yes) {
+    if (audio::receive_message(socket_, asked_) != Talk::good) {
         return false;
     }
     if (asked_.kind == DecodeKind::take_back && asked_.generation == answer_.generation) {

@@ -1,19 +1,14 @@
 #include "engine/decode/film_server.hpp"
 
-#include <sys/socket.h>
-#include <sys/uio.h>
-
-#include <cerrno>
 #include <string>
 
 namespace raks::engine {
 
 using audio::DecodeKind;
-using audio::Passed;
 
 void FilmServer::run() {
     int descriptor = -1;
-    while (audio::receive_message(socket_, asked_, std::span(&descriptor, 1)) == Passed::yes &&
+    while (audio::receive_message(socket_, asked_, std::span(&descriptor, 1)) == Talk::good &&
            asked_.kind == DecodeKind::open_film && descriptor >= 0 && serve(descriptor)) {
     }
 }
@@ -21,7 +16,7 @@ void FilmServer::run() {
 bool FilmServer::send(DecodeKind kind, std::string_view text) {
     answer_.kind = kind;
     answer_.set_text(text);
-    return audio::send_message(socket_, answer_) == Passed::yes;
+    return audio::send_message(socket_, answer_) == Talk::good;
 }
 
 // False: nothing more is to be done.
@@ -67,26 +62,8 @@ bool FilmServer::send_picture(const DecodedFilmPicture& picture) {
     answer_.picture.seconds = picture.seconds;
     answer_.picture.width = picture.width;
     answer_.picture.height = picture.height;
-    return send(DecodeKind::picture, {}) && send_pixels(picture.rgb);
-}
-
-// As a message, since the cage lets nothing be written.
-bool FilmServer::send_pixels(std::span<const std::uint8_t> rgb) const {
-    while (!rgb.empty()) {
-        iovec body{const_cast<std::uint8_t*>(rgb.data()), rgb.size()};
-        msghdr header{};
-        header.msg_iov = &body;
-        header.msg_iovlen = 1;
-        const ssize_t sent = ::sendmsg(pictures_, &header, MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) {
-            continue;
-        }
-        if (sent <= 0) {
-            return false;
-        }
-        rgb = rgb.subspan(static_cast<std::size_t>(sent));
-    }
-    return true;
+    return send(DecodeKind::picture, {}) &&
+           send_all(pictures_, std::as_bytes(picture.rgb), kNever) == Talk::good;
 }
 
 }  // namespace raks::engine

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 #include "audio/io/decode_protocol.hpp"
@@ -24,7 +23,6 @@ class FilmServer {
     [[nodiscard]] bool serve(int descriptor);
     [[nodiscard]] bool send_film(FilmDecoder& film);
     [[nodiscard]] bool send_picture(const DecodedFilmPicture& picture);
-    [[nodiscard]] bool send_pixels(std::span<const std::uint8_t> rgb) const;
     [[nodiscard]] bool send(audio::DecodeKind kind, std::string_view text);
 
     int socket_;

@@ -47,7 +47,7 @@ bool become_decoder() {
     static_cast<void>(::prctl(PR_SET_NAME, audio::kForkServerName));
     audio::DecodeMessage message;
     Given given{};
-    while (audio::receive_message(audio::kDecodeSocket, message, given) == audio::Passed::yes &&
+    while (audio::receive_message(audio::kDecodeSocket, message, given) == Talk::good &&
            message.kind == audio::DecodeKind::start && given.back() >= 0) {
         const pid_t pid = copy_process();
         if (pid == 0) {
@@ -60,7 +60,7 @@ bool become_decoder() {
         for (const int descriptor : given) {
             ::close(descriptor);
         }
-        if (audio::send_message(audio::kDecodeSocket, message) != audio::Passed::yes) {
+        if (audio::send_message(audio::kDecodeSocket, message) != Talk::good) {
             break;
         }
     }

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "audio/io/decode_protocol.hpp"
-#include "audio/io/decoder_spawn.hpp"
 #include "base/descriptor.hpp"
+#include "base/talking_child.hpp"
 #include "engine/films/film_reader.hpp"
 
 namespace raks::engine {
@@ -23,11 +20,6 @@ class FilmChild {
     /// A new one. Errors: it is not installed, cannot be started.
     [[nodiscard]] static Expected<std::unique_ptr<FilmChild>> start(
         std::function<bool()> is_stop_requested);
-    /// Kills it and waits for its end.
-    ~FilmChild();
-    FilmChild(const FilmChild&) = delete;             ///< one owner
-    FilmChild& operator=(const FilmChild&) = delete;  ///< likewise
-
     /// Opens the next film, of which all pictures must have been read before.
     [[nodiscard]] Expected<FilmInfo> open(const std::filesystem::path& path);
     /// The next picture; none at the end, or where the child broke off: see warning().
@@ -37,14 +29,12 @@ class FilmChild {
 
  private:
     FilmChild() = default;
-    [[nodiscard]] audio::Waited wait(int descriptor) const;
-    [[nodiscard]] audio::Waited receive();
-    [[nodiscard]] audio::Waited read_pixels(std::span<std::uint8_t> bytes);
-    [[nodiscard]] std::string end(audio::Waited why);
-    [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(audio::Waited why);
+    [[nodiscard]] Patience patience() const;
+    [[nodiscard]] Talk receive();
+    [[nodiscard]] std::string end(Talk why);
+    [[nodiscard]] Expected<std::optional<FilmPicture>> break_off(Talk why);
 
-    pid_t pid_ = -1;
-    Descriptor socket_;
+    std::optional<TalkingChild> child_;
     Descriptor pictures_;
     Descriptor lifeline_;
     std::function<bool()> is_stop_requested_;

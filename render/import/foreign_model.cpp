@@ -37,7 +37,7 @@ Expected<Model> read_foreign_model(std::string_view format,
         fmt::format("this build of raks reads no {} (RAKS_IMPORT=OFF); bring it as .glb", format));
 #else
     const auto deadline = std::chrono::steady_clock::now() + longest;
-    auto child = TalkingChild::start(kImporter, {std::string(format)});
+    auto child = TalkingChild::start(kImporter, {.arguments = {std::string(format)}});
     if (!child) {
         return fail(child.error());
     }

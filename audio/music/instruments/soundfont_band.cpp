@@ -62,7 +62,7 @@ Expected<std::vector<float>> play_apart(std::span<const std::filesystem::path> s
     for (const auto& soundfont : soundfonts) {
         arguments.push_back(soundfont.string());
     }
-    auto child = TalkingChild::start(kProgram, std::move(arguments));
+    auto child = TalkingChild::start(kProgram, {.arguments = std::move(arguments)});
     if (!child) {
         return fail(child.error());
     }

@@ -216,12 +216,12 @@ Expected<std::unique_ptr<DecoderClient>> client_of_flooding_decoder(Descriptor& 
     message.kind = DecodeKind::opened;
     message.head = {.rate = 48'000, .channels = 2};
     message.set_text({});
-    EXPECT_EQ(send_message(decoder.number, message), Passed::yes);
+    EXPECT_EQ(send_message(decoder.number, message), Talk::good);
     message.kind = DecodeKind::samples;
     message.value = 1;
     for (std::size_t i = 0; i < 3 * kDecodeSlots; ++i) {
         message.slot = i % kDecodeSlots;
-        EXPECT_EQ(send_message(decoder.number, message), Passed::yes);
+        EXPECT_EQ(send_message(decoder.number, message), Talk::good);
     }
     const Descriptor file(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     DecodedSource source;
@@ -238,7 +238,7 @@ TEST(DecoderClient, lets_no_decoder_speak_to_a_terminal) {
     DecodeMessage message;
     message.kind = DecodeKind::failed;
     message.set_text("x.wav: is\n\x1b[2J no sound");
-    ASSERT_EQ(send_message(decoder.number, message), Passed::yes);
+    ASSERT_EQ(send_message(decoder.number, message), Talk::good);
     const Descriptor file(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     DecodedSource source;
     source.descriptor = file.number;
