@@ -144,7 +144,6 @@ struct RenderArguments {
     std::string motion;         ///< clip to perform: FILE, or FILE#NAME; empty: the dance
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
-    bool has_overlay = false;   ///< beat, tempo and levels on top, whatever the settings say
 };
 /// Writes a film of the dance. Errors: those of input, OpenGL and the film.
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);

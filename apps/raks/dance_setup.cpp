@@ -156,10 +156,9 @@ Expected<OfflineSetup> open_dancers(engine::Settings& settings,
     if (!setup) {
         return fail(std::move(setup.error()));
     }
-    if (const auto formation = engine::asked_formation(settings)) {
-        // Bodies that nobody has are not solved for.
-        bodies.resize(std::min(bodies.size(), engine::asked_dancers(settings, *formation)));
-    }
+    // Bodies that nobody has are not solved for.
+    bodies.resize(std::min(bodies.size(),
+                           engine::asked_dancers(settings, engine::asked_formation(settings))));
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     auto dancers = engine::Dancers::load(settings, setup->catalogue, bodies, cores);
     if (!dancers) {

@@ -1,4 +1,8 @@
 #include <cstdint>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "apps/clips/body_options.hpp"
 #include "apps/clips/joint_options.hpp"
@@ -8,79 +12,37 @@
 namespace raks::apps {
 namespace {
 
+using engine::Settings;
+
 constexpr const char* kMotionHelp =
     "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...";
 
-// Several commands have it; the names are checked with the settings.
-void add_formation_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option(
-        "--formation", settings.formation, "solo, couple, unison, canon, free, grid, ring or v");
-    app.add_option("--dancers",
-                   settings.dancers,
-                   "1 to 32; 0: as many as the formation has, and one for each avatar");
-}
-
-// Who dances. `most`: avatars that may be given.
-void add_avatar_options(CLI::App& app, engine::Settings& settings, std::size_t most) {
-    app.add_option("--avatar",
-                   settings.avatars,
-                   most == 1 ? "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or "
-                               "one of raks avatar list"
-                             : "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or "
-                               "one of raks avatar list; several times: worn in turn")
-        ->expected(1, static_cast<int>(most))
-        ->allow_extra_args(false);
-    app.add_option(
-        "--height", settings.avatar_height, "metres that the avatar is tall; 0: its own");
-    app.add_option(
-        "--labels", settings.avatar_labels, "file that says which nodes are the avatar's bones");
-}
-
-// The options that play, live and render share: they overwrite the settings of the files. Names and
-// ranges are checked with the settings, after parsing. `overlay`: a window's is a setting, a film's
-// is not.
-void add_picture_options(CLI::App& app, engine::Settings& settings, bool& overlay) {
-    app.add_option("--dance",
-                   settings.dance,
-                   "the dance to keep to: name, folder or written dance (X.toml); or auto");
-    add_figures_option(app, settings);
-    add_formation_option(app, settings);
-    add_generator_option(app, settings);
-    add_dynamics_option(app, settings);
-    app.add_option("--seed", settings.seed, "same seed, same dance");
-    add_avatar_options(app, settings, engine::kMostAvatars);
-    app.add_option("--theme", settings.theme, "stage, workshop_dark, studio_light or plain");
-    app.add_option("--dress", settings.dress, "what the mannequin wears: dancer or mannequin");
-    app.add_option(
-        "--camera", settings.camera, "director, or still: wide, portrait, front or side");
-    app.add_flag("--calm,!--no-calm",
-                 settings.calm,
-                 "calmer pictures: fewer cuts, and light that changes slowly and little");
-    app.add_option("--size", settings.size, "picture size, such as 1280x720");
-    app.add_option("--fps", settings.fps, "pictures a second");
-    app.add_option("--quality", settings.quality, "auto, fast or high");
-    app.add_option("--view", settings.view, "skin, stick or auto");
-    app.add_flag("--blink,!--no-blink", settings.face_blink, "an avatar's eyes blink");
-    app.add_flag("--mouth,!--no-mouth", settings.face_mouth, "its mouth opens with the music");
-    app.add_flag("--gaze,!--no-gaze", settings.face_gaze, "its eyes look at you, or at a partner");
-    app.add_flag("--overlay,!--no-overlay", overlay, "beat, tempo and levels on top");
-    app.add_option("--latency-offset",
-                   settings.latency_offset_ms,
-                   "milliseconds added to the latency that the device reports");
+// Names and ranges are checked with the settings, after parsing.
+void add_setting_option(CLI::App& app, engine::Settings& settings, const engine::SettingRow& row) {
+    const std::string name(row.option.name);
+    const std::string help =
+        row.option.help.empty() ? engine::help_of(row) : std::string(row.option.help);
+    std::visit(
+        [&](auto field) {
+            auto& value = settings.*field;
+            using Value = std::remove_reference_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, bool>) {
+                app.add_flag(name + ",!--no-" + name.substr(2), value, help);
+            } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+                app.add_option(name, value, help)
+                    ->expected(1, static_cast<int>(engine::kMostAvatars))
+                    ->allow_extra_args(false);
+            } else {
+                app.add_option(name, value, help);
+            }
+        },
+        row.field);
 }
 
 void add_as_live_option(CLI::App& app, bool& is_as_live) {
     app.add_flag("--as-live",
                  is_as_live,
                  "analyze the music as it comes, as live does, and not all of it first");
-}
-
-// Which play and live share.
-void add_sound_options(CLI::App& app, engine::Settings& settings) {
-    add_audio_system_option(app, settings);
-    app.add_option("--buffer",
-                   settings.buffer_ms,
-                   "milliseconds of the device's buffer; longer: fewer gaps in the sound");
 }
 
 // A row of the table of outputs each; several of one kind may be told.
@@ -123,22 +85,23 @@ void add_play(RaksCommands& table) {
         "--shuffle", a->is_shuffled, "play the files in a mixed order; same seed, same order");
     app->add_flag("--repeat", a->repeats, "begin again after the last file");
     app->add_flag("--quit", a->quits, "close the window after the last file");
-    app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
-    add_sound_options(*app, a->settings);
-    app->add_option("--volume", a->settings.volume, "1 is the file's own level");
+    add_setting_options(
+        *app,
+        a->settings,
+        {&Settings::output, &Settings::audio_system, &Settings::buffer_ms, &Settings::volume});
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
-    add_picture_options(*app, a->settings, a->settings.overlay);
+    add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
 }
 
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
-    app->add_option("--device", a->settings.device, "input: name, part of it, or number");
-    add_sound_options(*app, a->settings);
+    add_setting_options(
+        *app, a->settings, {&Settings::device, &Settings::audio_system, &Settings::buffer_ms});
     // The arguments are captured by their pointer: they outlive the parsing.
     app->add_option_function<double>(
            "--duration",
@@ -147,7 +110,7 @@ void add_live(RaksCommands& table) {
         ->check(in_range(kShortestSeconds, kLongestSeconds));
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
-    add_picture_options(*app, a->settings, a->settings.overlay);
+    add_setting_options(*app, a->settings, engine::kLive);
     add_output_options(*app, a->outputs);
 }
 
@@ -160,7 +123,9 @@ void add_render(RaksCommands& table) {
     app->add_option("--motion", a->motion, kMotionHelp);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
-    add_picture_options(*app, a->settings, a->has_overlay);
+    // A window's overlay is a setting, a film has it only when asked for.
+    a->settings.overlay = false;
+    add_setting_options(*app, a->settings, engine::kRender);
 }
 
 void add_dance(RaksCommands& table) {
@@ -172,15 +137,15 @@ void add_dance(RaksCommands& table) {
         ->required();
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
     add_as_live_option(*app, a->is_as_live);
-    add_formation_option(*app, a->settings);
-    add_avatar_options(*app, a->settings, engine::kMostAvatars);
-    app->add_option("--dance",
-                    a->settings.dance,
-                    "the dance to keep to: name, folder or written dance (X.toml); or auto");
-    add_figures_option(*app, a->settings);
-    add_generator_option(*app, a->settings);
-    add_dynamics_option(*app, a->settings);
-    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    // Who dances stands before what is danced.
+    add_setting_options(*app,
+                        a->settings,
+                        {&Settings::formation,
+                         &Settings::dancers,
+                         &Settings::avatars,
+                         &Settings::avatar_height,
+                         &Settings::avatar_labels});
+    add_setting_options(*app, a->settings, engine::kDance);
 }
 
 void add_dances(RaksCommands& table) {
@@ -199,19 +164,21 @@ void add_sheet(RaksCommands& table) {
         ->excludes(motion);
     app->add_option("--figure", a->figure, "figure of the dance, such as basic; none: its first")
         ->excludes(motion);
-    add_figures_option(*app, a->settings);
-    add_generator_option(*app, a->settings);
+    add_setting_options(*app, a->settings, {&Settings::figures, &Settings::generator});
     app->add_option("--bpm", a->bpm, "tempo danced to")->check(in_range(50.0, 230.0));
     // The settings' checks would report it, too; here the option is named.
     app->add_option("--seed", a->settings.seed, "same seed, same dance")
         ->check(CLI::NonNegativeNumber);
     app->add_option("--fps", a->settings.fps, "pictures a second of a film")
         ->check(CLI::Range(1.0, 240.0));
-    add_avatar_options(*app, a->settings, 1);
-    app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
-    app->add_option("--dress", a->settings.dress, "what the mannequin wears: dancer or mannequin");
-    app->add_option("--view", a->settings.view, "skin, stick or auto");
-    app->add_option("--quality", a->settings.quality, "auto, fast or high");
+    // One dances, so that there is one avatar.
+    app->add_option("--avatar",
+                    a->settings.avatars,
+                    "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or one of raks "
+                    "avatar list")
+        ->expected(1)
+        ->allow_extra_args(false);
+    add_setting_options(*app, a->settings, engine::kSheet);
 }
 
 void add_stick(RaksCommands& table) {
@@ -253,10 +220,10 @@ void add_stick(RaksCommands& table) {
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
     add_joint_options(*app, a->joints, "the clip");
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
-    app->add_option("--theme", a->settings.theme, "stage, workshop_dark, studio_light or plain");
+    add_setting_options(*app, a->settings, {&Settings::theme});
     app->add_option("--camera", a->settings.camera, "wide, portrait, front, side, back or top");
     app->add_option("--size", a->settings.size, "size of the window or film, such as 1280x720");
-    app->add_option("--quality", a->settings.quality, "auto, fast or high");
+    add_setting_options(*app, a->settings, {&Settings::quality});
 }
 
 void add_synth(RaksCommands& table) {
@@ -282,6 +249,27 @@ void add_synth(RaksCommands& table) {
 }
 
 }  // namespace
+
+void add_setting_options(CLI::App& app,
+                         engine::Settings& settings,
+                         std::initializer_list<engine::SettingField> fields) {
+    for (const engine::SettingField field : fields) {
+        add_setting_option(app, settings, engine::row_of(field));
+    }
+}
+
+void add_setting_options(CLI::App& app,
+                         engine::Settings& settings,
+                         engine::SettingCommands command) {
+    for (const bool is_of_sound : {false, true}) {
+        for (const engine::SettingRow& row : engine::setting_rows()) {
+            if ((row.option.commands & command) != 0 && (row.section == "audio") == is_of_sound &&
+                app.get_option_no_throw(std::string(row.option.name)) == nullptr) {
+                add_setting_option(app, settings, row);
+            }
+        }
+    }
+}
 
 void add_dancing_commands(RaksCommands& table) {
     add_play(table);

@@ -8,7 +8,6 @@
 #include "apps/terminal/say.hpp"
 #include "audio/io/device_stream.hpp"
 #include "engine/setup/dance_files.hpp"
-#include "engine/show/picture.hpp"
 
 namespace raks::apps {
 namespace {
@@ -40,13 +39,10 @@ std::string fault_of_dances(engine::Settings settings) {
     return checked ? std::string() : checked.error().message;
 }
 
-// The first fault of the settings: a value out of range, or a name that is unknown.
+// The first fault of the settings: a value out of range, or a word that is unknown.
 std::string fault_of(const engine::Settings& settings) {
     if (const auto faults = engine::validate(settings); !faults.empty()) {
         return faults.front();
-    }
-    if (const auto look = engine::read_look(settings); !look) {
-        return look.error().message;
     }
     return fault_of_dances(settings);
 }
@@ -99,23 +95,6 @@ ParsedCommand parse_arguments(int argc, char** argv) {
 }
 
 }  // namespace
-
-void add_figures_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option("--figures", settings.figures, "learnt as angles or positions of the joints");
-}
-
-void add_audio_system_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option("--audio-system", settings.audio_system, "auto, portaudio, jack or pulse");
-}
-
-void add_generator_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option(
-        "--generator", settings.generator, "trajectories, or frames: the paper's, for comparison");
-}
-
-void add_dynamics_option(CLI::App& app, engine::Settings& settings) {
-    app.add_option("--dynamics", settings.dynamics, "on, or off: the dance follows the beat alone");
-}
 
 }  // namespace raks::apps
 

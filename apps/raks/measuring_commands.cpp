@@ -10,6 +10,8 @@
 namespace raks::apps {
 namespace {
 
+using engine::Settings;
+
 // Adds --beat to a command that takes one method, or several by repeating it.
 template <typename Methods>
 void add_beat_option(CLI::App& app, Methods& method) {
@@ -32,7 +34,7 @@ void add_beat_option(CLI::App& app, Methods& method) {
 // Each add_ function below adds one command with its options.
 void add_devices(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
-    add_audio_system_option(*app, a->settings);
+    add_setting_options(*app, a->settings, {&Settings::audio_system});
     app->add_flag("--json", a->as_json, "one JSON document");
     app->add_flag(
         "--has-output", a->asks_for_output, "print nothing; fail where there is no loudspeaker");
@@ -144,9 +146,9 @@ void add_calibrate(RaksCommands& table) {
             throw CLI::RequiredError("--loop, --tap or --forget");
         }
     });
-    app->add_option("--output", a->settings.output, "loudspeaker: name, part of it, or number");
+    add_setting_options(*app, a->settings, {&Settings::output});
     app->add_option("--device", a->settings.device, "microphone: name, part of it, or number");
-    add_audio_system_option(*app, a->settings);
+    add_setting_options(*app, a->settings, {&Settings::audio_system});
 }
 
 void add_analyze(RaksCommands& table) {
@@ -170,12 +172,11 @@ void add_eval_dance(RaksCommands& table, CLI::App& eval) {
     app->add_flag("--json", a->as_json, "one JSON document");
     add_named_option(*app, "--role", a->role, motion::kRoleNames, "lead or follow");
     app->add_option("--dance", a->settings.dance, "the dance to measure");
-    add_figures_option(*app, a->settings);
-    add_generator_option(*app, a->settings);
-    add_dynamics_option(*app, a->settings);
+    add_setting_options(
+        *app, a->settings, {&Settings::figures, &Settings::generator, &Settings::dynamics});
     app->add_option("--formation", a->settings.formation, "solo or couple")
         ->check(one_of({"solo", "couple"}));
-    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    add_setting_options(*app, a->settings, {&Settings::seed});
     auto* const trial =
         app->add_option("--trial", a->trials, "only this trial, such as drums-120 or dynamics")
             ->allow_extra_args(false);
@@ -203,7 +204,7 @@ void add_eval_avatar(RaksCommands& table, CLI::App& eval) {
     auto [app, a] = table.add(eval, "avatar", "measure how avatars wear dances", eval_avatar);
     app->add_option("models", a->models, "files, or names of `raks avatar list`")->required();
     app->add_option("--dance", a->settings.dance, "only this dance; else all");
-    app->add_option("--seed", a->settings.seed, "same seed, same dance");
+    add_setting_options(*app, a->settings, {&Settings::seed});
     app->add_flag("--json", a->as_json, "one JSON document");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "apps/terminal/command_table.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/setup/settings_table.hpp"
 
 namespace raks::apps {
 
@@ -83,13 +85,15 @@ void add_training_commands(RaksCommands& table);
 /// Adds capture, which starts another program.
 void add_capture_commands(RaksCommands& table);
 
-/// Adds --figures, which several commands have.
-void add_figures_option(CLI::App& app, engine::Settings& settings);
-/// Adds --audio-system, which several commands have.
-void add_audio_system_option(CLI::App& app, engine::Settings& settings);
-/// Adds --dynamics, which several commands have.
-void add_dynamics_option(CLI::App& app, engine::Settings& settings);
-/// Adds --generator, which several commands have.
-void add_generator_option(CLI::App& app, engine::Settings& settings);
+/// Adds the options of these settings, in this order.
+void add_setting_options(CLI::App& app,
+                         engine::Settings& settings,
+                         std::initializer_list<engine::SettingField> fields);
+/// Adds the options of all settings that the command has by the table, in its order, those of the
+/// sound last. Those that were added before are left as they are: their place, help or check is
+/// another.
+void add_setting_options(CLI::App& app,
+                         engine::Settings& settings,
+                         engine::SettingCommands command);
 
 }  // namespace raks::apps

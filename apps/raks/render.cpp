@@ -239,7 +239,7 @@ Expected<Studio> open_studio(const RenderArguments& arguments,
     if (!context) {
         return fail(context.error());
     }
-    auto show = engine::Show::create(look, arguments.has_overlay, std::move(dances));
+    auto show = engine::Show::create(look, arguments.settings.overlay, std::move(dances));
     if (!show) {
         return fail(show.error());
     }

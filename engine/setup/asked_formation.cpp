@@ -1,9 +1,8 @@
 #include "engine/setup/asked_formation.hpp"
 
 #include <algorithm>
-#include <utility>
 
-#include "base/suggest.hpp"
+#include "base/assert.hpp"
 
 namespace raks::engine {
 
@@ -26,15 +25,13 @@ std::string_view name_of(Formation formation) noexcept {
     return kFormationNames[static_cast<std::size_t>(formation)];
 }
 
-Expected<Formation> asked_formation(const Settings& settings) {
+Formation asked_formation(const Settings& settings) {
     if (is_group_of_solo(settings)) {
         return kUsualGroup;
     }
     // The name's index is the enumerator.
     const auto name = std::find(kFormationNames.begin(), kFormationNames.end(), settings.formation);
-    if (name == kFormationNames.end()) {
-        return fail(unknown_name("formation", settings.formation, kFormationNames));
-    }
+    RAKS_ASSERT(name != kFormationNames.end());
     return static_cast<Formation>(name - kFormationNames.begin());
 }
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/formation.hpp"
 
@@ -13,8 +12,8 @@ namespace raks::engine {
 inline constexpr motion::Formation kUsualGroup = motion::Formation::grid;
 
 /// The formation that the settings ask for; with several dancers or avatars kUsualGroup in place of
-/// solo. Errors: an unknown name; the nearest is named.
-[[nodiscard]] Expected<motion::Formation> asked_formation(const Settings& settings);
+/// solo. `settings`: valid. Pure.
+[[nodiscard]] motion::Formation asked_formation(const Settings& settings);
 
 /// How many dance in a formation: as the settings say; else as many as it usually has and at least
 /// one for each avatar, of kUsualGroup in solo's place exactly one. Pure.

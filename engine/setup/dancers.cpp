@@ -151,11 +151,8 @@ Expected<Dancers> Dancers::load(const Settings& settings,
                                 const std::vector<motion::Skeleton>& bodies,
                                 int threads,
                                 const StopSolving& stop) {
-    const auto formation = asked_formation(settings);
-    if (!formation) {
-        return fail(formation.error());
-    }
-    Parts parts = parts_of(*formation, bodies_in(*formation, bodies));
+    const motion::Formation formation = asked_formation(settings);
+    Parts parts = parts_of(formation, bodies_in(formation, bodies));
     DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads, stop};
     if (auto begun = loader.begin(settings); !begun) {
         return fail(std::move(begun.error()));
@@ -165,11 +162,11 @@ Expected<Dancers> Dancers::load(const Settings& settings,
     for (const std::size_t part : parts.of_body) {
         dancers.bodies_.push_back({loader.parts[part].skeleton, loader.parts[part].repertoire});
     }
-    dancers.cast_ = motion::members_of(*formation,
+    dancers.cast_ = motion::members_of(formation,
                                        dancers.bodies_,
                                        static_cast<std::uint64_t>(settings.seed),
                                        dynamics_of(settings),
-                                       asked_dancers(settings, *formation));
+                                       asked_dancers(settings, formation));
     // From here on the others are solved on their own thread; the future joins it when destroyed.
     const auto others = other_dances_to_load(settings, *catalogue.list());
     dancers.others_ =

@@ -41,7 +41,7 @@ Formations::Formations(Settings settings,
                        std::vector<motion::Skeleton> bodies)
     : settings_(std::move(settings)),
       catalogue_(std::move(catalogue)),
-      danced_(*asked_formation(settings_)),  // Dancers::load has refused any other
+      danced_(asked_formation(settings_)),
       asked_(danced_),
       cast_(dancers.cast()),
       bodies_(std::move(bodies)),

@@ -1,7 +1,6 @@
 #include "engine/setup/settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <span>
@@ -12,6 +11,7 @@
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
+#include "engine/setup/settings_table.hpp"
 #include "engine/setup/user_folders.hpp"
 
 #include <fmt/format.h>
@@ -26,133 +26,6 @@ constexpr std::int64_t kVersion = 1;
 
 // A value that is one text, or several.
 using Texts = std::vector<std::string>;
-
-// A pointer to the member that a key sets: one of five types of value.
-using Member = std::variant<std::string Settings::*,
-                            Texts Settings::*,
-                            double Settings::*,
-                            std::int64_t Settings::*,
-                            bool Settings::*>;
-
-// One key of the file: where it stands, which member it sets, the range of a number (0, 0 for other
-// types) and the comment that to_toml() writes behind it.
-struct Key {
-    std::string_view section;
-    std::string_view name;
-    Member member;
-    double low = 0.0;
-    double high = 0.0;
-    std::string_view help;
-};
-
-// The order is that of the file that to_toml() writes, section by section.
-const std::array kKeys = std::to_array<Key>({
-    {"audio", "device", &Settings::device, 0, 0, "input of `raks live`; empty: chosen"},
-    {"audio", "output", &Settings::output, 0, 0, "loudspeaker of `raks play`; empty: the default"},
-    {"audio", "audio_system", &Settings::audio_system, 0, 0, "auto, portaudio, jack or pulse"},
-    {"audio",
-     "buffer_ms",
-     &Settings::buffer_ms,
-     0,
-     2000,
-     "of the device's buffer; 0: 40 for a loudspeaker, longer after a gap"},
-    {"audio",
-     "latency_offset_ms",
-     &Settings::latency_offset_ms,
-     -500,
-     500,
-     "added to the latency that the device reports"},
-    {"audio", "volume", &Settings::volume, 0, 2, "1 is the file's own level"},
-    {"dance", "dance", &Settings::dance, 0, 0, "auto, or the dance to keep to"},
-    {"dance",
-     "fallback_dance",
-     &Settings::fallback_dance,
-     0,
-     0,
-     "danced when nothing is recognised: a dance, keep (the dance that is on) or stand"},
-    {"dance", "figures", &Settings::figures, 0, 0, "learnt as angles or positions of the joints"},
-    {"dance",
-     "formation",
-     &Settings::formation,
-     0,
-     0,
-     "solo, couple, unison, canon, free, grid, ring or v"},
-    {"dance",
-     "dancers",
-     &Settings::dancers,
-     0,
-     kMostAvatars,
-     "0: as many as the formation has, and one for each avatar; solo and couple have their own"},
-    {"dance", "generator", &Settings::generator, 0, 0, "trajectories, or frames: the paper's"},
-    {"dance",
-     "dynamics",
-     &Settings::dynamics,
-     0,
-     0,
-     "on, or off: nothing but the beat is followed"},
-    // 9e15: below 2^53, so that a seed survives the comparison in double.
-    {"dance", "seed", &Settings::seed, 0, 9e15, "same seed, same dance"},
-    {"dance",
-     "pose_lead_ms",
-     &Settings::pose_lead_ms,
-     -200,
-     200,
-     "pictures show the pose this much ahead"},
-    {"picture",
-     "avatar",
-     &Settings::avatars,
-     0,
-     0,
-     "mannequin, a file (.vrm, .glb, .gltf, .3ds, .fbx, .dae, .obj), or a name in the folder of "
-     "avatars; or a list of them, worn in turn"},
-    {"picture", "avatar_height", &Settings::avatar_height, 0, 10, "metres; 0: its own"},
-    {"picture",
-     "avatar_labels",
-     &Settings::avatar_labels,
-     0,
-     0,
-     "file that says which nodes of the avatar are its bones; empty: they are found"},
-    {"picture", "theme", &Settings::theme, 0, 0, "stage, workshop_dark, studio_light or plain"},
-    {"picture",
-     "dress",
-     &Settings::dress,
-     0,
-     0,
-     "what the mannequin wears, in every theme: dancer or mannequin"},
-    {"picture",
-     "camera",
-     &Settings::camera,
-     0,
-     0,
-     "director, or still: wide, portrait, front or side"},
-    {"picture",
-     "calm",
-     &Settings::calm,
-     0,
-     0,
-     "calmer pictures: fewer cuts, and light that changes slowly and little"},
-    {"picture", "size", &Settings::size, 0, 0, "WIDTHxHEIGHT"},
-    {"picture", "fps", &Settings::fps, 1, 240, "pictures a second"},
-    {"picture", "quality", &Settings::quality, 0, 0, "auto, fast or high"},
-    {"picture",
-     "view",
-     &Settings::view,
-     0,
-     0,
-     "skin, stick, or auto: stick when danced by positions"},
-    {"picture", "face_blink", &Settings::face_blink, 0, 0, "eyes blink by themselves"},
-    {"picture", "face_mouth", &Settings::face_mouth, 0, 0, "the mouth opens with the music"},
-    {"picture",
-     "face_gaze",
-     &Settings::face_gaze,
-     0,
-     0,
-     "eyes look at the camera, in a couple at each other"},
-    {"picture", "overlay", &Settings::overlay, 0, 0, "beat, tempo and levels over the picture"},
-});
-
-// "audio.volume": how errors name a key.
-std::string full_name(const Key& key) { return fmt::format("{}.{}", key.section, key.name); }
 
 // One text stands for itself, several as a list.
 std::string toml_texts(const Texts& texts) {
@@ -191,17 +64,17 @@ std::optional<Texts> texts_of(const toml::node& node) {
     return texts;
 }
 
-// Puts one value of the file into its member; returns the error's message, or nothing.
-std::string assign(const Key& key, const toml::node& node, Settings& settings) {
+// Puts one value of the file into its field; returns the error's message, or nothing.
+std::string assign(const SettingRow& row, const toml::node& node, Settings& settings) {
     return std::visit(
-        [&](auto member) -> std::string {
-            using T = std::remove_reference_t<decltype(settings.*member)>;
+        [&](auto field) -> std::string {
+            using T = std::remove_reference_t<decltype(settings.*field)>;
             if constexpr (std::is_same_v<T, Texts>) {
                 auto texts = texts_of(node);
                 if (!texts) {
-                    return full_name(key) + " must be a text, or a list of texts";
+                    return full_name(row) + " must be a text, or a list of texts";
                 }
-                settings.*member = std::move(*texts);
+                settings.*field = std::move(*texts);
                 return {};
             } else {
                 const std::optional<T> value = node.value<T>();
@@ -212,13 +85,13 @@ std::string assign(const Key& key, const toml::node& node, Settings& settings) {
                     constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
                                                       : std::is_same_v<T, bool> ? "true or false"
                                                                                 : "a number";
-                    return fmt::format("{} must be {}", full_name(key), kind);
+                    return fmt::format("{} must be {}", full_name(row), kind);
                 }
-                settings.*member = *value;
+                settings.*field = *value;
                 return {};
             }
         },
-        key.member);
+        row.field);
 }
 
 // The keys of a file that are unknown: a newer version may have written it, and what it says of
@@ -254,28 +127,40 @@ class UnknownKeys {
     std::size_t count_ = 0;
 };
 
+// Of the file, in its order.
+std::vector<std::string_view> section_names() {
+    std::vector<std::string_view> names;
+    for (const SettingRow& row : setting_rows()) {
+        if (names.empty() || names.back() != row.section) {
+            names.push_back(row.section);
+        }
+    }
+    return names;
+}
+
 // Reads one section, such as [audio].
 Expected<void> read_section(const std::string& name,
                             std::string_view section,
                             const toml::table& table,
                             Settings& settings,
                             UnknownKeys& unknown) {
+    const auto rows = setting_rows();
     for (const auto& entry : table) {
         const std::string_view name_in_file = entry.first.str();
         const toml::node& node = entry.second;
-        const auto key = std::find_if(kKeys.begin(), kKeys.end(), [&](const Key& k) {
-            return k.section == section && k.name == name_in_file;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const SettingRow& each) {
+            return each.section == section && each.name == name_in_file;
         });
         // The suggestion is looked for among the names of all sections: a key may stand in a wrong
         // one.
-        if (key == kKeys.end()) {
+        if (row == rows.end()) {
             std::vector<std::string> names;
-            std::transform(kKeys.begin(), kKeys.end(), std::back_inserter(names), full_name);
+            std::transform(rows.begin(), rows.end(), std::back_inserter(names), full_name);
             const std::vector<std::string_view> known(names.begin(), names.end());
             unknown.add(node, fmt::format("{}.{}", section, name_in_file), known);
             continue;
         }
-        const std::string fault = assign(*key, node, settings);
+        const std::string fault = assign(*row, node, settings);
         if (!fault.empty()) {
             return fail(where(name, node.source()) + ": " + fault);
         }
@@ -306,15 +191,15 @@ Expected<void> read_table(const std::string& name,
         if (key == "format" || key == "version") {
             continue;
         }
-        const bool is_section =
-            std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == key; });
+        const auto sections = section_names();
+        const bool is_section = std::find(sections.begin(), sections.end(), key) != sections.end();
         if (is_section && !node.is_table()) {
             return fail(fmt::format("{}: {} must be a section", where(name, node.source()), key));
         }
         if (!is_section) {
-            constexpr std::array<std::string_view, 5> kKnown = {
-                "audio", "dance", "picture", "format", "version"};
-            unknown.add(node, std::string(key), kKnown);
+            std::vector<std::string_view> known = sections;
+            known.insert(known.end(), {"format", "version"});
+            unknown.add(node, std::string(key), known);
             continue;
         }
         if (auto read = read_section(name, key, *node.as_table(), settings, unknown); !read) {
@@ -323,32 +208,6 @@ Expected<void> read_table(const std::string& name,
     }
     return {};
 }
-
-// A setting whose value must be one of a few names.
-struct Name {
-    std::string_view key;
-    std::string Settings::*member;
-    std::span<const std::string_view> known;
-};
-
-constexpr std::array<std::string_view, 4> kAudioSystems = {"auto", "portaudio", "jack", "pulse"};
-constexpr std::array<std::string_view, 2> kGenerators = {"trajectories", "frames"};
-constexpr std::array<std::string_view, 2> kOnOff = {"on", "off"};
-constexpr std::array<std::string_view, 3> kQualities = {"auto", "fast", "high"};
-constexpr std::array<std::string_view, 3> kViews = {"auto", "skin", "stick"};
-constexpr std::array<std::string_view, 2> kFigures = {"angles", "positions"};
-constexpr std::array<std::string_view, 2> kDresses = {"dancer", "mannequin"};
-
-// Themes, cameras, dances and formations are checked where their tables are.
-const std::array kNames = std::to_array<Name>({
-    {"audio.audio_system", &Settings::audio_system, kAudioSystems},
-    {"dance.generator", &Settings::generator, kGenerators},
-    {"dance.dynamics", &Settings::dynamics, kOnOff},
-    {"picture.quality", &Settings::quality, kQualities},
-    {"picture.view", &Settings::view, kViews},
-    {"picture.dress", &Settings::dress, kDresses},
-    {"dance.figures", &Settings::figures, kFigures},
-});
 
 }  // namespace
 
@@ -383,20 +242,9 @@ Expected<SettingsNotes> read_settings(const fs::path& path, Settings& settings) 
 
 std::vector<std::string> validate(const Settings& settings) {
     std::vector<std::string> faults;
-    for (const Key& key : kKeys) {
-        // Every number against its range; the texts have their own checks below.
-        double value = 0.0;
-        if (const auto* real = std::get_if<double Settings::*>(&key.member)) {
-            value = settings.**real;
-        } else if (const auto* whole = std::get_if<std::int64_t Settings::*>(&key.member)) {
-            value = static_cast<double>(settings.**whole);
-        } else {
-            continue;
-        }
-        // Written so that NaN is a fault.
-        if (!(value >= key.low && value <= key.high)) {
-            faults.push_back(fmt::format(
-                "{} is {}, must be {} to {}", full_name(key), value, key.low, key.high));
+    for (const SettingRow& row : setting_rows()) {
+        if (std::string fault = fault_of(row, settings); !fault.empty()) {
+            faults.push_back(std::move(fault));
         }
     }
     if (settings.avatars.size() > kMostAvatars) {
@@ -405,12 +253,6 @@ std::vector<std::string> validate(const Settings& settings) {
     }
     if (const auto size = parse_size(settings.size); !size) {
         faults.push_back("picture.size: " + size.error().message);
-    }
-    for (const Name& name : kNames) {
-        const std::string& value = settings.*name.member;
-        if (std::find(name.known.begin(), name.known.end(), value) == name.known.end()) {
-            faults.push_back(unknown_name(name.key, value, name.known));
-        }
     }
     return faults;
 }
@@ -421,28 +263,28 @@ std::string to_toml(const Settings& settings) {
         "format = \"raks-config\"\nversion = {}\n",
         kVersion);
     std::string_view section;
-    for (const Key& key : kKeys) {
-        if (key.section != section) {
-            section = key.section;
+    for (const SettingRow& row : setting_rows()) {
+        if (row.section != section) {
+            section = row.section;
             text += fmt::format("\n[{}]\n", section);
         }
         const std::string value = std::visit(
-            [&](auto member) -> std::string {
-                using T = std::decay_t<decltype(settings.*member)>;
+            [&](auto field) -> std::string {
+                using T = std::decay_t<decltype(settings.*field)>;
                 if constexpr (std::is_same_v<T, std::string>) {
-                    return toml_quoted(settings.*member);
+                    return toml_quoted(settings.*field);
                 } else if constexpr (std::is_same_v<T, Texts>) {
-                    return toml_texts(settings.*member);
+                    return toml_texts(settings.*field);
                 } else if constexpr (std::is_same_v<T, double>) {
-                    const std::string number = fmt::format("{}", settings.*member);
+                    const std::string number = fmt::format("{}", settings.*field);
                     // A decimal point, so that TOML reads the number back as a decimal.
                     return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
                 } else {
-                    return fmt::format("{}", settings.*member);
+                    return fmt::format("{}", settings.*field);
                 }
             },
-            key.member);
-        text += fmt::format("{} = {}  # {}\n", key.name, value, key.help);
+            row.field);
+        text += fmt::format("{} = {}  # {}\n", row.name, value, help_of(row));
     }
     return text;
 }

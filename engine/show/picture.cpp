@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/suggest.hpp"
 #include "engine/setup/asked_formation.hpp"
 #include "render/avatar/avatar.hpp"
 
@@ -13,16 +12,6 @@ namespace {
 
 // Three dancers side by side fit into the picture at this distance.
 constexpr float kWideFormation = 1.35F;
-
-Expected<void> check_camera(std::string_view name) {
-    std::vector<std::string_view> names = {kDirector};
-    const auto presets = render::camera_names();
-    names.insert(names.end(), presets.begin(), presets.end());
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-        return fail(unknown_name("camera", name, names));
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -33,16 +22,9 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(theme.error());
     }
     look.scene.theme = *theme;
-    if (auto known = check_camera(settings.camera); !known) {
-        return fail(std::move(known.error()));
-    }
-    const auto formation = asked_formation(settings);
-    if (!formation) {
-        return fail(formation.error());
-    }
     look.scene.camera = preset_of(settings.camera);
     // zoom() multiplies the camera's distance.
-    look.scene.camera.zoom(distance_for(name_of(*formation)));
+    look.scene.camera.zoom(distance_for(name_of(asked_formation(settings))));
     look.camera = settings.camera;
     look.seed = static_cast<std::uint64_t>(settings.seed);
     look.liveliness = settings.calm ? render::Liveliness::calm : render::Liveliness::usual;

@@ -27,8 +27,8 @@ struct Look {
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
 };
 
-/// Resolves the settings, but for the avatar. Errors: an unknown theme or camera (the nearest is
-/// named), a bad size.
+/// Resolves the settings, but for the avatar. `settings`: valid. Errors: an unknown theme, a bad
+/// size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
 
 /// Puts avatars on, at least one, and the camera where the size of the largest asks for. Pure.

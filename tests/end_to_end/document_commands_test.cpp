@@ -7,13 +7,16 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/file.hpp"
+#include "engine/setup/settings_table.hpp"
 #include "tests/end_to_end/manual.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 
@@ -229,10 +232,22 @@ std::string list_of(const std::string& section) {
     return heads;
 }
 
+/// Those of the reference of settings that are not of one command alone: "| `--calm`, `--no-calm`
+/// |".
+Names options_of_settings() {
+    static const std::regex kCell("\\| `--[^|]*\\|");
+    const std::string page = text_of("docs/reference/settings.md");
+    Names names;
+    for (std::sregex_iterator at(page.begin(), page.end(), kCell), end; at != end; ++at) {
+        names.merge(options_in(at->str()));
+    }
+    return names;
+}
+
 TEST_F(DocumentCommands, and_their_options_are_all_in_the_reference) {
     static const std::regex kHeading("\n## ([^\n]*)\n");
     const std::string page = text_of("docs/reference/commands.md");
-    Names common;
+    const Names common = options_of_settings();
     Names described;
     for (std::sregex_iterator at(page.begin(), page.end(), kHeading), end; at != end; ++at) {
         const std::string title = (*at)[1];
@@ -240,7 +255,6 @@ TEST_F(DocumentCommands, and_their_options_are_all_in_the_reference) {
         const std::string section = page.substr(begin, page.find("\n## ", begin) - begin);
         const Names listed = options_in(list_of(section));
         if (!title.starts_with("raks ")) {
-            common = listed;
             continue;
         }
         described.insert(title);
@@ -266,19 +280,45 @@ TEST_F(DocumentCommands, and_their_options_are_all_in_the_reference) {
     }
 }
 
-TEST_F(DocumentCommands, settings_are_all_in_the_reference) {
-    static const std::regex kKey("(^|\n)([a-z_]+) = ");
-    const std::string page = text_of("docs/reference/settings.md");
-    const ProcessResult result = run({"config", "show"});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    std::size_t keys = 0;
-    for (std::sregex_iterator at(result.out.begin(), result.out.end(), kKey), end; at != end;
-         ++at) {
-        ++keys;
-        const std::string key = (*at)[2];
-        EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+/// What stands in place of one that a setting takes; nothing: any text and both truth values are
+/// taken.
+std::optional<std::string> wrong_value_of(const engine::SettingRow& row) {
+    if (row.range.high > row.range.low) {
+        return fmt::format("{}", row.range.high + 1.0);
     }
-    EXPECT_GE(keys, 18U);
+    const auto words = row.words.all();
+    return words.empty() ? std::nullopt : std::optional(std::string(words.front()) + "_");
+}
+
+TEST_F(DocumentCommands, have_the_options_of_their_settings) {
+    const std::pair<engine::SettingCommands, const char*> commands[] = {{engine::kPlay, "play"},
+                                                                        {engine::kLive, "live"},
+                                                                        {engine::kRender, "render"},
+                                                                        {engine::kDance, "dance"},
+                                                                        {engine::kSheet, "sheet"}};
+    for (const auto& [command, name] : commands) {
+        for (const engine::SettingRow& row : engine::setting_rows()) {
+            const std::string option(row.option.name);
+            const bool has_option = (row.option.commands & command) != 0;
+            EXPECT_TRUE(!has_option || help_of({name}).options.contains(option))
+                << name << " " << option;
+        }
+    }
+}
+
+TEST_F(DocumentCommands, set_what_their_options_are_the_settings_of) {
+    for (const engine::SettingRow& row : engine::setting_rows()) {
+        const auto wrong = wrong_value_of(row);
+        if (!wrong || row.option.name.empty()) {
+            continue;
+        }
+        const bool is_of_film = (row.option.commands & engine::kRender) != 0;
+        std::vector<std::string> words =
+            is_of_film ? std::vector<std::string>{"render", "-o", path("x.mp4")}
+                       : std::vector<std::string>{"play", "--headless"};
+        words.insert(words.end(), {std::string(row.option.name), *wrong});
+        expect_one_line(words, 2, engine::full_name(row));
+    }
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/settings_table.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -91,6 +94,28 @@ TEST(DanceCache, does_without_a_folder_that_cannot_be_written) {
     ASSERT_TRUE(write_file(folder / "file", "no folder"));
     EXPECT_NE(waltz_from(DanceCache(folder / "file")), nullptr);
     EXPECT_EQ(*read_file(folder / "file"), "no folder");
+}
+
+/// Whether what `look_at` finds is another for each word of a setting.
+template <typename Look>
+bool differs_by_every_word(std::string Settings::*field, const Look& look_at) {
+    std::set<decltype(look_at(Settings()))> found;
+    const auto words = row_of(field).words.all();
+    for (const std::string_view word : words) {
+        Settings settings;
+        settings.*field = word;
+        found.insert(look_at(settings));
+    }
+    return words.size() > 1 && found.size() == words.size();
+}
+
+TEST(DanceForm, is_another_by_every_word_of_the_settings) {
+    EXPECT_TRUE(differs_by_every_word(&Settings::figures,
+                                      [](const Settings& s) { return form_of(s).features; }));
+    EXPECT_TRUE(differs_by_every_word(&Settings::generator,
+                                      [](const Settings& s) { return form_of(s).generator; }));
+    EXPECT_TRUE(differs_by_every_word(&Settings::dynamics,
+                                      [](const Settings& s) { return dynamics_of(s); }));
 }
 
 }  // namespace
