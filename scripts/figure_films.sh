@@ -8,15 +8,17 @@ raks=${RAKS:-$root/build/release/bin/raks}
 out=${1:?usage: scripts/figure_films.sh FOLDER [dance ...]}
 shift
 mkdir -p "$out"
-for dance in "${@:-belly hiphop house rock waltz}"; do
-    for name in $dance; do
-        file=$root/config/choreographies/$name.toml
-        tempos=$(sed -n 's/^tempo = \[\(.*\)\]/\1/p' "$file" | tr -d ,)
-        for figure in $(sed -n 's/^name = "\(.*\)"/\1/p' "$file"); do
-            for bpm in $tempos; do
-                "$raks" sheet --dance "$name" --figure "$figure" --bpm "$bpm" --quality fast \
-                    -o "$out/$name.$figure.$bpm.mp4"
-            done
+if [ $# = 0 ]; then
+    mapfile -t written < <(basename -s .toml "$root"/config/choreographies/*.toml)
+    set -- "${written[@]}"
+fi
+for name in "$@"; do
+    file=$root/config/choreographies/$name.toml
+    tempos=$(sed -n 's/^tempo = \[\(.*\)\]/\1/p' "$file" | tr -d ,)
+    for figure in $(sed -n 's/^name = "\(.*\)"/\1/p' "$file"); do
+        for bpm in $tempos; do
+            "$raks" sheet --dance "$name" --figure "$figure" --bpm "$bpm" --quality fast \
+                -o "$out/$name.$figure.$bpm.mp4"
         done
     done
 done

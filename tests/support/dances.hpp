@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/dance_list.hpp"
 
@@ -10,9 +13,12 @@ namespace raks::test {
 /// models/trained/dances.toml of the source tree.
 [[nodiscard]] std::shared_ptr<const DanceList> shipped_dances();
 
+/// The choreographies of those that are written: config/choreographies/NAME.toml, by name.
+[[nodiscard]] std::vector<std::filesystem::path> written_dances();
+
 }  // namespace raks::test
 
-/// Their numbers.
+/// The numbers of some, for tests that are about one.
 namespace raks::shipped {
 
 inline constexpr DanceId salsa{0};

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,22 +33,13 @@ struct ShippedDance {
     std::shared_ptr<const motion::DanceLibrary> library;
 };
 
-const std::map<std::string, double> kTempi = {{"salsa", 176.0},
-                                              {"belly", 112.0},
-                                              {"house", 124.0},
-                                              {"hiphop", 96.0},
-                                              {"rock", 126.0},
-                                              {"waltz", 90.0}};
-
 const std::vector<ShippedDance>& shipped_dances() {
     static const std::vector<ShippedDance> dances = [] {
         std::vector<ShippedDance> all;
         for (const DanceInfo& dance : installed::dances().list()->all()) {
             const DanceId id = installed::dances().list()->id_of(dance.name);
-            all.push_back({id,
-                           kTempi.at(dance.name),
-                           dance.beats_per_bar,
-                           installed::library_of(dance.name)});
+            all.push_back(
+                {id, dance.likely.bpm(), dance.beats_per_bar, installed::library_of(dance.name)});
         }
         return all;
     }();

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/setup/dance_files.hpp"
 #include "tests/engine/installed.hpp"
+#include "tests/support/dances.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -16,7 +18,8 @@ namespace {
 
 TEST(WrittenFigures, dance_as_their_files_expect) {
     std::size_t figures = 0;
-    for (const char* const dance : {"belly", "hiphop", "house", "rock", "waltz"}) {
+    for (const auto& file : test::written_dances()) {
+        const std::string dance = file.stem();
         const auto library = load_dance(installed::dances(), dance, motion::mannequin_skeleton());
         ASSERT_TRUE(library) << library.error().message;
         const auto danced = danced_written_figures(dance, *library, motion::mannequin_skeleton());
@@ -32,7 +35,7 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
             EXPECT_LT(figure.measures.slip_p90, 0.027) << figure.name;
         }
     }
-    EXPECT_EQ(figures, 30U);
+    EXPECT_GE(figures, 30U);
 }
 
 /// Two repeats of a figure, 16 poses a beat.

@@ -15,6 +15,7 @@
 #include "motion/choreography/figure_measures.hpp"
 #include "motion/choreography/joint_limits.hpp"
 #include "tests/motion/choreography/small_dance.hpp"
+#include "tests/support/dances.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -238,9 +239,8 @@ TEST(MotionFaults, a_hand_in_the_body_is_named_with_beat_and_depth) {
 }
 
 TEST(MotionFaults, no_hand_of_a_shipped_figure_goes_through_the_body) {
-    for (const char* const name : {"belly", "hiphop", "house", "rock", "waltz"}) {
-        const auto dance = load_authored_dance(std::string(RAKS_SOURCE_DIR) +
-                                               "/config/choreographies/" + name + ".toml");
+    for (const auto& file : raks::test::written_dances()) {
+        const auto dance = load_authored_dance(file);
         ASSERT_TRUE(dance) << dance.error().message;
         for (const AuthoredFigure& figure : dance->figures) {
             for (const std::string& fault :

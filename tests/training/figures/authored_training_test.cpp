@@ -10,6 +10,7 @@
 #include "motion/choreography/figure_measures.hpp"
 #include "motion/dance/baking/trajectory.hpp"
 #include "tests/motion/choreography/small_dance.hpp"
+#include "tests/support/dances.hpp"
 
 namespace raks::motion {
 namespace {
@@ -135,9 +136,8 @@ TEST(FigureMeasures, a_frozen_and_a_wandering_figure_fail_what_their_file_expect
 }
 
 TEST(FigureMeasures, the_shipped_dances_do_what_their_files_expect) {
-    for (const char* const name : {"belly", "hiphop", "house", "rock", "waltz"}) {
-        const auto dance = load_authored_dance(std::string(RAKS_SOURCE_DIR) +
-                                               "/config/choreographies/" + name + ".toml");
+    for (const auto& file : raks::test::written_dances()) {
+        const auto dance = load_authored_dance(file);
         ASSERT_TRUE(dance) << dance.error().message;
         for (const AuthoredFigure& figure : dance->figures) {
             const TakeMeasures measures = measure_figure(*dance, figure, mannequin_skeleton());
