@@ -75,11 +75,15 @@ TEST_F(CaptureRun, ends_with_the_step_that_cannot_be_done) {
 }
 
 TEST_F(CaptureRun, keeps_what_is_done_when_it_is_stopped) {
-    const auto steps = plan({"run", path("take")});
-    CapturedProcess raks(steps);
-    ASSERT_TRUE(raks.wait_for_output("raks: solve: missing"));
-    raks.send(SIGINT);
-    const ProcessResult stopped = raks.wait();
+    // On a busy machine the signal may come when all is done: then once more.
+    ProcessResult stopped;
+    for (int attempt = 0; attempt < 20 && stopped.exit_code != 128 + SIGINT; ++attempt) {
+        fs::remove(folder_ / "take" / "dance.bvh");
+        CapturedProcess raks(plan({"run", path("take")}));
+        ASSERT_TRUE(raks.wait_for_output("raks: solve: missing"));
+        raks.send(SIGINT);
+        stopped = raks.wait();
+    }
     EXPECT_EQ(stopped.exit_code, 128 + SIGINT) << stopped.err;
     EXPECT_TRUE(has("tracks.csv"));
     EXPECT_FALSE(has("dance.bvh"));
