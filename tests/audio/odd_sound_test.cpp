@@ -72,7 +72,7 @@ TEST(Rates, any_two_give_the_same_beats) {
                                      std::pair{Style::drums, 120.0},
                                      std::pair{Style::maqsum, 112.0},
                                      std::pair{Style::four_on_the_floor, 126.0}}) {
-        const GeneratedMusic piece = music(style, {{0.0, bpm}}, 30.0, 192'000);
+        const GeneratedMusic piece = music(style, {{0.0, bpm}}, 20.0, 192'000);
         std::vector<std::vector<double>> heard;
         for (const int hertz : {22'050, 32'000, 44'100, 48'000, 96'000, 192'000}) {
             heard.push_back(beat_times(listen(at_rate(piece, hertz)), 5.0));
@@ -163,17 +163,17 @@ TEST(LongSound, ten_minutes_of_silence_have_no_beat) {
     EXPECT_GE(count.hops, 59'990);
 }
 
-TEST(LongSound, twenty_minutes_of_music_do_not_drift) {
-    const GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 1200.0, 32'000);
+TEST(LongSound, ten_minutes_of_music_do_not_drift) {
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 600.0, 32'000);
     MusicAnalyzer analyzer;
     ASSERT_TRUE(analyzer.prepare(test::as_shipped(piece.rate)));
-    Collect collect(130'000);
+    Collect collect(65'000);
     {
         raks::test::RealtimeScope scope;
         analyzer.process(piece.samples, collect);
         EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
     }
-    for (const double from : {10.0, 600.0, 1100.0}) {
+    for (const double from : {10.0, 300.0, 500.0}) {
         const auto score = test::score_beats(collect.states, piece.beats, from, from + 90.0);
         EXPECT_GE(score.f_measure, 0.98) << "from " << from << " s";
         EXPECT_LE(std::abs(score.median_error), 0.010) << "from " << from << " s";

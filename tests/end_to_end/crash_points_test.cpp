@@ -16,6 +16,7 @@
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
+#include "tests/motion/choreography/small_dance.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/extent.hpp"
 
@@ -54,6 +55,11 @@ class CrashPoints : public ProgramTest {
         music.seconds = 2.0;
         write_music("song.wav", music);
         write_clip();
+        write_small_dance();
+    }
+    /// A dance that is learnt and solved in no time.
+    void write_small_dance() const {
+        ASSERT_TRUE(write_file(path("small.toml"), motion::kSmallDance));
     }
     void write_clip() const {
         std::vector<motion::Pose> poses(200);
@@ -126,8 +132,6 @@ class CrashPoints : public ProgramTest {
 
 std::vector<Command> CrashPoints::commands() const {
     const std::string song = path("song.wav");
-    const std::string dance =
-        (fs::path(RAKS_SOURCE_DIR) / "config" / "choreographies" / "waltz.toml").string();
     std::vector<Command> all = {
         {{"synth", "clicks", "-o", path("x.wav"), "--duration", "1"}, path("x.wav")},
         {{"dance", song, "-o", path("x.bvh")}, path("x.bvh")},
@@ -145,9 +149,9 @@ std::vector<Command> CrashPoints::commands() const {
          path("x.json")},
         {{"train",
           "figure",
-          dance,
+          path("small.toml"),
           "--figure",
-          "balance",
+          "rock_step",
           "--iterations",
           "0",
           "--states",

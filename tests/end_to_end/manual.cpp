@@ -234,6 +234,14 @@ void write_dance(const fs::path& file, const std::string& name) {
     ASSERT_TRUE(write_file(file, *text));
 }
 
+void write_dance_of_one_figure(const fs::path& file, const std::string& name) {
+    write_dance(file, name);
+    auto text = read_file(file);
+    ASSERT_TRUE(text) << text.error().message;
+    const std::size_t second = text->find("[[figure]]", text->find("[[figure]]") + 1);
+    ASSERT_TRUE(write_file(file, text->substr(0, second)));
+}
+
 void write_clips(const fs::path& folder) {
     fs::create_directories(folder / "CLIPS");
     const motion::TrainingClip clip = motion::test::known_dance(3);

@@ -35,6 +35,8 @@ void write_manual_files(const std::filesystem::path& folder);
 
 /// A written dance with another name.
 void write_dance(const std::filesystem::path& file, const std::string& name);
+/// The same with its first figure alone, which is learnt in a third of the time.
+void write_dance_of_one_figure(const std::filesystem::path& file, const std::string& name);
 
 /// CLIPS with one clip, three repeats of a known dance, and the tables labels.tsv and counts.tsv.
 void write_clips(const std::filesystem::path& folder);

@@ -87,6 +87,7 @@ TEST_F(TeachDance, the_lines_of_readme_end_with_the_dance_danced) {
 }
 
 TEST_F(TeachDance, what_is_learnt_is_danced_by_name_by_folder_and_by_its_text) {
+    write_dance_of_one_figure(folder_ / "my.toml", "tango");
     const ProcessResult learnt = run_here({"train", "figure", "my.toml"});
     ASSERT_EQ(learnt.exit_code, 0) << learnt.err;
     const std::string folder = (folder_ / "share/raks/dances/tango").string();

@@ -34,14 +34,15 @@ namespace {
 constexpr int kChainSeconds = 60;
 constexpr std::size_t kFrames = 256;
 
-/// A tempo jump at 25 s and a silence from 40 to 46 s.
-audio::GeneratedMusic minute_of_music(SampleRate rate) {
+/// A tempo jump at 25 s and a silence from 40 to 46 s; of a shorter piece as far into it.
+audio::GeneratedMusic chain_music(SampleRate rate, double seconds = kChainSeconds) {
+    const double jump = 25.0 / kChainSeconds * seconds;
     audio::MusicPlan plan;
     plan.style = audio::Style::montuno;
-    plan.tempo = {{0.0, 176.0}, {25.0, 176.0}, {25.0, 200.0}};
-    plan.seconds = kChainSeconds;
+    plan.tempo = {{0.0, 176.0}, {jump, 176.0}, {jump, 200.0}};
+    plan.seconds = seconds;
     plan.rate = rate;
-    plan.silences = {{40.0, 46.0}};
+    plan.silences = {{40.0 / kChainSeconds * seconds, 46.0 / kChainSeconds * seconds}};
     auto music = audio::generate(plan);
     EXPECT_TRUE(music) << music.error().message;
     return *music;
@@ -211,7 +212,7 @@ void play_guarded(const std::filesystem::path& path, GuardedShow& show) {
 TEST(RealtimeChain, a_minute_of_playing_keeps_the_rules_on_both_threads) {
     const test::TemporaryFolder folder;
     const auto path = folder / "minute.wav";
-    const audio::GeneratedMusic music = minute_of_music(SampleRate(44'100));
+    const audio::GeneratedMusic music = chain_music(SampleRate(44'100));
     ASSERT_TRUE(audio::write_wav(path, music.samples, music.channels, music.rate));
     GuardedShow show;
     for (int pass = 0; pass < passes(); ++pass) {
@@ -248,7 +249,7 @@ void listen_guarded(const audio::GeneratedMusic& music, GuardedShow& show) {
 }
 
 TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
-    const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+    const audio::GeneratedMusic music = chain_music(SampleRate(48'000));
     GuardedShow show;
     for (int pass = 0; pass < passes(); ++pass) {
         show.start_again();
@@ -258,17 +259,19 @@ TEST(RealtimeChain, a_minute_of_listening_keeps_the_rules_on_both_threads) {
     show.ticks.judge("listening_tick");
 }
 
-/// The states of the minute, with a lost block in it, as the analyzer makes them.
-const std::vector<MusicState>& states_of_a_minute() {
+/// The states of half a minute, whole: of the minute, with a lost block in it, as the analyzer
+/// makes them.
+const std::vector<MusicState>& states_to_dance_to() {
     static const std::vector<MusicState> states = [] {
-        const audio::GeneratedMusic music = minute_of_music(SampleRate(48'000));
+        const audio::GeneratedMusic music =
+            chain_music(SampleRate(48'000), is_whole() ? kChainSeconds : 0.5 * kChainSeconds);
         auto analysis = AnalysisStage::create(music.rate, installed::models());
         EXPECT_TRUE(analysis) << analysis.error().message;
         std::vector<MusicState> all;
         const std::vector<float> mono = music.mono();
         MusicState state;
         for (std::size_t at = 0; at < mono.size(); at += kFrames) {
-            if (at / kFrames == 6'000) {
+            if (at / kFrames == 3'000) {
                 (*analysis)->skip(1'920);  // 40 ms
             }
             (*analysis)->analyze(std::span(mono).subspan(at, std::min(kFrames, mono.size() - at)));
@@ -296,7 +299,7 @@ void ask_dancers(std::size_t hop, MotionStage& motion) {
     }
 }
 
-/// One dance in one form, danced to the minute under the guard.
+/// One dance in one form, danced to those states under the guard.
 struct DancedForm {
     std::string dance;
     std::string formation;
@@ -304,12 +307,12 @@ struct DancedForm {
 };
 
 /// Dances to all states.
-void dance_to_the_minute(const Cast& cast, GuardedTicks& ticks) {
+void dance_to_the_states(const Cast& cast, GuardedTicks& ticks) {
     motion::Ensemble ensemble;
     ASSERT_TRUE(ensemble.prepare(cast));
     EventQueue<MusicState> states(8);
     MotionStage motion(std::move(ensemble), {states, {&ticks.reader()}});
-    const std::vector<MusicState>& all = states_of_a_minute();
+    const std::vector<MusicState>& all = states_to_dance_to();
     static_cast<void>(lock_memory());
     for (std::size_t hop = 0; hop < all.size(); ++hop) {
         ask_dancers(hop, motion);
@@ -332,7 +335,7 @@ bool dance_guarded(const DancedForm& form) {
     GuardedTicks ticks;
     for (int pass = 0; pass < passes() && !ticks.is_broken(); ++pass) {
         ticks.start_again();
-        dance_to_the_minute(dancers->cast(), ticks);
+        dance_to_the_states(dancers->cast(), ticks);
     }
     ticks.judge(form.dance + "_" + form.formation + "_" + form.figures);
     return true;
