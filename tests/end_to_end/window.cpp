@@ -19,10 +19,16 @@ constexpr int kSameInARow = 4;
 void WindowTest::SetUp() {
     ProgramTest::SetUp();
     display_.emplace(960, 540);
-    audio::MusicPlan plan;
-    plan.seconds = 60.0;
+    // Composed once; each test gets it under both names.
+    static const TemporaryFolder shared;
+    if (shared.is_empty()) {
+        audio::MusicPlan plan;
+        plan.seconds = 60.0;
+        write_music("one.wav", plan);
+        std::filesystem::rename(folder_ / "one.wav", shared / "song.wav");
+    }
     for (const char* name : {"one.wav", "two.wav"}) {
-        write_music(name, plan);
+        std::filesystem::create_hard_link(shared / "song.wav", folder_ / name);
     }
     // The user's folder of pictures, as a desktop says it.
     std::filesystem::create_directories(folder_ / "pictures");

@@ -13,8 +13,8 @@ namespace raks::test {
 inline constexpr int kWindowWidth = 640;
 inline constexpr int kWindowHeight = 360;
 
-/// The program in a window on a display of our own, larger than the window. Two minutes of music
-/// lie in one.wav and two.wav.
+/// The program in a window on a display of our own, larger than the window. A minute of
+/// music lies in one.wav and in two.wav.
 class WindowTest : public ProgramTest {
  protected:
     void SetUp() override;
