@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/descriptor.hpp"
 
 namespace raks {
 namespace {
@@ -37,23 +38,6 @@ std::string system_reason(int error_number) {
 Error cannot_write(const fs::path& path, int error_number) {
     return Error{path.string() + ": cannot be written: " + system_reason(error_number)};
 }
-
-// A descriptor that is closed on every way out.
-class Descriptor {
- public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int get() const noexcept { return number_; }
-
- private:
-    int number_;
-};
 
 // "x.bvh" -> "x.bvh.k3Zq0a.part", in the same folder.
 fs::path part_of(const fs::path& path) {
@@ -136,7 +120,7 @@ bool is_on_disk(int descriptor) { return ::fsync(descriptor) == 0 || errno == EI
 
 bool sync(const fs::path& path, int flags) {
     const Descriptor file(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW));
-    return file.get() >= 0 && is_on_disk(file.get());
+    return file.number >= 0 && is_on_disk(file.number);
 }
 
 bool sync_folder_of(const fs::path& path) {
@@ -382,8 +366,8 @@ void remove_abandoned_part(const fs::path& part) {
     const Descriptor file(::open(part.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW));
     struct stat held {};
     struct stat named {};
-    if (file.get() >= 0 && ::fgetxattr(file.get(), kMark, nullptr, 0) >= 0 &&
-        ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 && ::fstat(file.get(), &held) == 0 &&
+    if (file.number >= 0 && ::fgetxattr(file.number, kMark, nullptr, 0) >= 0 &&
+        ::flock(file.number, LOCK_EX | LOCK_NB) == 0 && ::fstat(file.number, &held) == 0 &&
         ::lstat(part.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
         held.st_ino == named.st_ino) {
         std::error_code ignored;
@@ -424,11 +408,11 @@ bool PendingFile::give_name() {
 // The old folder is marked: where we are killed before it is removed, the next process does that.
 bool PendingFile::exchange() {
     const Descriptor old(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    const bool is_marked = mark(old.get());
+    const bool is_marked = mark(old.number);
     if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) != 0) {
         const int reason = errno;
         if (is_marked) {
-            ::fremovexattr(old.get(), kMark);
+            ::fremovexattr(old.number, kMark);
         }
         errno = reason;
         return false;

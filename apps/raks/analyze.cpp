@@ -148,7 +148,7 @@ void analyze_source(engine::MusicSource& source, Analyses& analyses, Collect& co
 }
 
 // As the plot names the method.
-const char* name_of(FileBeatMethod method) {
+const char* description_of(FileBeatMethod method) {
     switch (method) {
         case FileBeatMethod::pointer:
             return "bar pointer, streaming";
@@ -170,7 +170,7 @@ Expected<void> write_plot(const AnalyzeArguments& arguments,
     analyses.plot->finish(duration);
     const auto svg = draw_plot(*analyses.plot,
                                {.title = printable(input.filename().string(), 200),
-                                .method = name_of(arguments.beat),
+                                .method = description_of(arguments.beat),
                                 .reference = std::move(analyses.reference)});
     if (!svg) {
         return fail(svg.error());

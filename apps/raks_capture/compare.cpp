@@ -14,7 +14,7 @@
 namespace raks::apps {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
+constexpr double kInMillimetres = 1000.0;
 
 Expected<motion::BodyTrack> load_track(const Path& path) {
     const auto clip = motion::read_skeleton_motion(path, {});
@@ -29,8 +29,8 @@ Expected<motion::BodyTrack> load_track(const Path& path) {
 std::string row_of(std::string_view name, const motion::JointDifference& joint) {
     return fmt::format("{:<16} {:>9.1f} {:>9.1f} {:>9}\n",
                        name,
-                       kMillimetres * joint.from_hips,
-                       kMillimetres * joint.world,
+                       kInMillimetres * joint.from_hips,
+                       kInMillimetres * joint.world,
                        joint.angle ? fmt::format("{:.1f}", *joint.angle) : "");
 }
 
@@ -44,9 +44,9 @@ std::string table_of(const motion::MotionComparison& comparison) {
     return text + fmt::format(
                       "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
                       "the hips; bones {:.1f} degrees; over {:.1f} s\n",
-                      kMillimetres * comparison.from_hips,
-                      kMillimetres * comparison.world,
-                      kMillimetres * comparison.feet,
+                      kInMillimetres * comparison.from_hips,
+                      kInMillimetres * comparison.world,
+                      kInMillimetres * comparison.feet,
                       comparison.angle,
                       comparison.seconds);
 }

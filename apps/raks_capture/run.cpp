@@ -43,12 +43,12 @@ const char* words_of(StepState state) {
 // The second of the song at which the dance begins, by music.toml, which `sync` writes; nothing:
 // no song was found.
 Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+    constexpr std::size_t kMostSongBytes = std::size_t{1} << 20U;
     const Path file = plan.file("music.toml");
     if (plan.music.empty() || !is_there(file) || !is_there(plan.file("tracks.csv"))) {
         return std::optional<double>();
     }
-    const auto text = read_text_file(file, kMostBytes);
+    const auto text = read_text_file(file, kMostSongBytes);
     const auto root = text ? parse_toml(*text, file.string()) : fail(text.error());
     const auto tracks = load_tracks(plan.folder);
     if (!root || !tracks) {

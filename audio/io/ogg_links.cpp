@@ -14,7 +14,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kHeadBytes = 27;  // of a page, before its table of segments
+constexpr std::size_t kPageHeadBytes = 27;  // of a page, before its table of segments
 constexpr std::size_t kMostPageBytes = 27 + 255 + 255 * 255;
 constexpr std::size_t kMostLinks = 4096;
 constexpr unsigned kIsFirstPage = 2;  // bit of a page's flags: a stream begins
@@ -58,20 +58,20 @@ struct OggPage {
 };
 
 std::optional<OggPage> page_at(std::string_view bytes) {
-    if (!bytes.starts_with(kMark) || bytes.size() < kHeadBytes || bytes[4] != 0) {
+    if (!bytes.starts_with(kMark) || bytes.size() < kPageHeadBytes || bytes[4] != 0) {
         return std::nullopt;
     }
     const auto segments = static_cast<std::size_t>(static_cast<unsigned char>(bytes[26]));
     OggPage page;
-    page.size = kHeadBytes + segments;
+    page.size = kPageHeadBytes + segments;
     if (bytes.size() < page.size) {
         return std::nullopt;
     }
-    page.segments = bytes.substr(kHeadBytes, segments);
+    page.segments = bytes.substr(kPageHeadBytes, segments);
     for (const char length : page.segments) {
         page.size += static_cast<unsigned char>(length);
     }
-    page.body = bytes.substr(0, page.size).substr(kHeadBytes + segments);
+    page.body = bytes.substr(0, page.size).substr(kPageHeadBytes + segments);
     page.is_first = (static_cast<unsigned char>(bytes[5]) & kIsFirstPage) != 0;
     page.is_last = (static_cast<unsigned char>(bytes[5]) & kIsLastPage) != 0;
     page.granule = static_cast<std::int64_t>(number_at(bytes, 6, 8, ByteOrder::little));

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostBytes = 16'000'000;
+constexpr std::size_t kMostPoseBytes = 16'000'000;
 
 // The object of all postures by name; null where the document is a posture itself.
 const Json* poses_of(const Json& document) {
@@ -102,7 +102,7 @@ Expected<motion::Pose> read_pose(const std::string& argument) {
     const std::size_t sign = argument.rfind('#');
     const std::string file = argument.substr(0, sign);
     const std::string name = sign == std::string::npos ? "" : argument.substr(sign + 1);
-    const auto text = read_file(file, kMostBytes);
+    const auto text = read_file(file, kMostPoseBytes);
     if (!text) {
         return fail(text.error());
     }

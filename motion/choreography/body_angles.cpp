@@ -8,8 +8,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kCentimetre = 0.01;  // metres
-constexpr double kBreathHz = 0.27;    // 16 breaths a minute
+constexpr double kBreathHz = 0.27;  // 16 breaths a minute
 
 using Curve = std::vector<double>;
 

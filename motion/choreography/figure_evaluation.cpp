@@ -15,13 +15,6 @@ namespace {
 
 constexpr double kGravity = 9.81;  // m/s^2
 
-/// Soft minimum of value and limit; `width` is the width of the transition.
-double soft_least(double value, double limit, double width) noexcept {
-    const double over = (value - limit) / width;
-    constexpr double kFar = 30.0;
-    return over > kFar ? limit : value - width * std::log1p(std::exp(over));
-}
-
 // One evaluation: feet and angles are fixed by the plan; the hips' place and height are found in
 // rounds.
 class Evaluation {

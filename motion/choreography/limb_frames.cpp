@@ -72,13 +72,6 @@ glm::dquat share_of(const glm::dquat& rotation, double share) noexcept {
 
 double sign_of(Side side) noexcept { return side == Side::left ? 1.0 : -1.0; }
 
-/// Soft minimum of value and limit; `width` is the width of the transition.
-double soft_least(double value, double limit, double width) noexcept {
-    const double over = (value - limit) / width;
-    constexpr double kFar = 30.0;  // beyond it exp() gains nothing and may overflow
-    return over > kFar ? limit : value - width * std::log1p(std::exp(over));
-}
-
 /// Soft maximum of value and 0.
 double soft_positive(double value, double width) noexcept {
     return -soft_least(-value, 0.0, width);

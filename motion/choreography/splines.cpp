@@ -45,6 +45,12 @@ double ease(double s) noexcept {
     return s * s * s * (10.0 + s * (-15.0 + s * 6.0));
 }
 
+double soft_least(double value, double limit, double width) noexcept {
+    const double over = (value - limit) / width;
+    constexpr double kFar = 30.0;  // beyond it exp() gains nothing and may overflow
+    return over > kFar ? limit : value - width * std::log1p(std::exp(over));
+}
+
 Spline::Spline(std::vector<double> at, std::vector<double> values)
     : at_(std::move(at)), values_(std::move(values)), slopes_(natural_slopes(at_, values_)) {
     RAKS_ASSERT(!at_.empty() && at_.size() == values_.size());

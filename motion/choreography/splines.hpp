@@ -12,9 +12,14 @@ namespace raks::motion {
 
 /// One degree in radians: files and curves are in degrees.
 inline constexpr double kDegree = M_PI / 180.0;
+/// One centimetre in metres: likewise.
+inline constexpr double kCentimetre = 0.01;
 
 /// From 0 at s = 0 to 1 at s = 1 (clamped), with zero speed and acceleration at both ends.
 [[nodiscard]] double ease(double s) noexcept;
+
+/// Soft minimum of value and limit; `width` is the width of the transition.
+[[nodiscard]] double soft_least(double value, double limit, double width) noexcept;
 
 /// Natural cubic spline: twice continuously differentiable through all knots, straight beyond them.
 /// Threads: any. Real-time: calls yes.

@@ -11,7 +11,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kCentimetre = 0.01;
 constexpr double kLandingSpeed = 0.3;  // m/s; landing detection: the foot falls under it...
 constexpr double kStepSpeed = 0.6;     // ... after having been faster than this (foot_events.hpp)
 constexpr double kLatest = 0.2;        // longest delay of a swing's end, as a share of its air time
@@ -245,16 +244,16 @@ class StepPlacer {
 StepLayout place_steps(const RepeatPlan& plan) { return StepPlacer(plan).place(); }
 
 double landing_pitch(FootLanding on) noexcept {
-    constexpr double kBall = 16.0 * kDegree;
-    constexpr double kFlat = 3.0 * kDegree;
-    constexpr double kHeel = -14.0 * kDegree;
+    constexpr double kBallPitch = 16.0 * kDegree;
+    constexpr double kFlatPitch = 3.0 * kDegree;
+    constexpr double kHeelPitch = -14.0 * kDegree;
     switch (on) {
         case FootLanding::ball:
-            return kBall;
+            return kBallPitch;
         case FootLanding::flat:
-            return kFlat;
+            return kFlatPitch;
         case FootLanding::heel:
-            return kHeel;
+            return kHeelPitch;
         case FootLanding::touch:
             return kTouchPitch;
         case FootLanding::heel_touch:

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kMostCorrection = 0.2;  // of the rate
 constexpr double kGain = 2.5;            // of the error in beats, a second
-constexpr double kApart = 1.0;       // beats of error that are re-anchored rather than danced off
-constexpr int kApartHops = 100;      // hops (1 s) that the error must last
+constexpr double kAstray = 1.0;      // beats of error that are re-anchored rather than danced off
+constexpr int kAstrayHops = 100;     // hops (1 s) that the error must last
 constexpr double kBarsOff = 2.0;     // for which count 1 must lie beside the downbeat
 constexpr double kPause = 1.0;       // beats before a figure's end in which the phase may jump
 constexpr double kMostSlew = 0.025;  // change of the rate a hop, as a share of it
@@ -130,9 +130,9 @@ bool DancePhase::advance(const BeatGrid& grid,
     const double correction = is_slewed ? 0.0 : std::clamp(kGain * error, -most, most);
     const double slew = kMostSlew * music_rate;
     rate_ += std::clamp(music_rate + correction - rate_, -slew, slew);
-    hops_apart_ = std::abs(error) > kApart ? hops_apart_ + 1 : 0;
+    hops_apart_ = std::abs(error) > kAstray ? hops_apart_ + 1 : 0;
     compare_with_bar(grid, metre);
-    if (hops_apart_ > kApartHops && (figure_end - phase_).count() <= kPause) {
+    if (hops_apart_ > kAstrayHops && (figure_end - phase_).count() <= kPause) {
         hops_apart_ = 0;
         phase_ = std::max(Beats(0.0), wanted(grid, now));
         rate_ = music_rate;

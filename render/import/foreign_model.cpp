@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/talking_child.hpp"
+#include "render/import/characters.hpp"
 #include "render/import/gltf_reader.hpp"
 #include "render/import/import_talk.hpp"
 #include "render/import/wanted_files.hpp"
@@ -13,10 +14,6 @@ namespace raks::render {
 namespace {
 
 constexpr TalkingPart kImporter{.name = "raks-import", .variable = "RAKS_IMPORTER"};
-
-std::string_view characters_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// For people; empty: glTF.
 const char* name_of(std::string_view format) {

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/printable.hpp"
+#include "render/import/characters.hpp"
 #include "render/import/model_warnings.hpp"
 
 namespace raks::render {
@@ -48,10 +49,6 @@ std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t at) {
         word |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
     }
     return word;
-}
-
-std::string_view text_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// The document in UTF-8, without what some put before and behind it.
@@ -155,7 +152,7 @@ Expected<GltfFile> open_container(std::span<const std::byte> file, Model& model)
     if (chunks->binary && chunks->binary->empty()) {
         warn(model, "has an empty BIN chunk");
     }
-    auto json = parse_json(text_of(*chunks->json), model);
+    auto json = parse_json(characters_of(*chunks->json), model);
     if (!json) {
         return fail(json.error());
     }
@@ -218,7 +215,7 @@ Expected<GltfFile> open_gltf(std::span<const std::byte> file, Model& model) {
     if (file.size() >= 4 && word_at(file, 0) == kMagic) {
         return open_container(file, model);
     }
-    auto json = parse_json(text_of(file), model);
+    auto json = parse_json(characters_of(file), model);
     if (!json) {
         return fail(fmt::format("is not glTF, as it {}", json.error().message));
     }

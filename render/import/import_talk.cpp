@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/printable.hpp"
+#include "render/import/characters.hpp"
 #include "render/import/import_protocol.hpp"
 
 namespace raks::render {
@@ -13,10 +14,6 @@ constexpr std::size_t kMostWanted = std::size_t{256} << 20U;  // bytes, of one f
 constexpr std::size_t kMostParts = 5000;                      // wanted files and notes
 constexpr std::size_t kMostNotes = 200;
 constexpr std::size_t kLongestLine = 400;  // bytes
-
-std::string_view characters_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 Talk answer(int socket, const std::string& uri, WantedFiles& wanted, TalkDeadline deadline) {
     const auto file = wanted.read(uri, kMostWanted);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "render/import/characters.hpp"
 #include "render/import/image_file.hpp"
 #include "render/import/plain_bytes.hpp"
 #include "render/import/png_packer.hpp"
@@ -15,12 +16,8 @@ namespace {
 constexpr std::string_view kBmpStart = "BM";
 constexpr std::string_view kTgaEnd{"TRUEVISION-XFILE.\0", 18};
 
-std::string_view letters_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 bool is_bmp(std::span<const std::byte> bytes) {
-    return letters_of(bytes).substr(0, kBmpStart.size()) == kBmpStart;
+    return characters_of(bytes).substr(0, kBmpStart.size()) == kBmpStart;
 }
 
 bool ends_like_tga(std::string_view name) {
@@ -61,7 +58,7 @@ Expected<Image> blank_picture(std::int64_t width, std::int64_t height) {
 }
 
 bool is_plain_picture(std::span<const std::byte> bytes, std::string_view name) {
-    const std::string_view text = letters_of(bytes);
+    const std::string_view text = characters_of(bytes);
     const bool has_tga_end =
         text.size() > kTgaEnd.size() && text.substr(text.size() - kTgaEnd.size()) == kTgaEnd;
     return is_bmp(bytes) || has_tga_end || ends_like_tga(name);

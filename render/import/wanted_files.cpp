@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "base/printable.hpp"
+#include "render/import/characters.hpp"
 
 namespace raks::render {
 namespace {
@@ -25,10 +26,6 @@ std::string ending_of(std::string_view name) {
         return static_cast<char>(std::tolower(c));
     });
     return ending;
-}
-
-std::string_view characters_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// A character as a text spells it.

@@ -17,7 +17,7 @@ namespace raks::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 class SetsOfFiles : public ProgramTest {
  protected:
@@ -36,8 +36,8 @@ class SetsOfFiles : public ProgramTest {
         return run(std::move(words));
     }
     /// What was played, in order, as this test names it.
-    [[nodiscard]] Names played(const ProcessResult& result) const {
-        Names names;
+    [[nodiscard]] NameList played(const ProcessResult& result) const {
+        NameList names;
         std::istringstream lines(result.err);
         const std::string begin = "raks: playing ";
         const std::string folder = folder_.path().string() + "/";
@@ -66,7 +66,8 @@ TEST_F(SetsOfFiles, a_stick_as_macos_leaves_it_plays_its_music_alone) {
     write("album/cover.jpg", "picture");
     const ProcessResult result = play({path("album")});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(played(result), (Names{"album/01.wav", "album/CD 2/02.wav", "album/CD 10/02.wav"}));
+    EXPECT_EQ(played(result),
+              (NameList{"album/01.wav", "album/CD 2/02.wav", "album/CD 10/02.wav"}));
 }
 
 TEST_F(SetsOfFiles, what_is_broken_is_skipped_wherever_it_stands_and_said_at_the_end) {
@@ -77,7 +78,7 @@ TEST_F(SetsOfFiles, what_is_broken_is_skipped_wherever_it_stands_and_said_at_the
     write("m/5.ogg", "OggS");
     const ProcessResult result = play({path("m")});
     EXPECT_EQ(result.exit_code, 3) << result.err;
-    EXPECT_EQ(played(result), (Names{"m/2.wav", "m/4.wav"}));
+    EXPECT_EQ(played(result), (NameList{"m/2.wav", "m/4.wav"}));
     const std::size_t report = result.err.find("raks: 3 skipped:");
     ASSERT_NE(report, std::string::npos) << result.err;
     for (const char* const name : {"1.mp3: is not audio", "3.wav: is empty", "5.ogg: "}) {
@@ -98,7 +99,7 @@ TEST_F(SetsOfFiles, a_playlist_plays_its_entries_and_says_which_are_not_there) {
     write("list.m3u", "#EXTM3U\nsub/b.wav\ngone.wav\nhttp://x.org/c.mp3\nlist.m3u\na.wav\n");
     const ProcessResult result = play({path("list.m3u")});
     EXPECT_EQ(result.exit_code, 3) << result.err;
-    EXPECT_EQ(played(result), (Names{"sub/b.wav", "a.wav"}));
+    EXPECT_EQ(played(result), (NameList{"sub/b.wav", "a.wav"}));
     EXPECT_NE(result.err.find("gone.wav: is not there (named by list.m3u)"), std::string::npos);
     EXPECT_NE(result.err.find("http://x.org/c.mp3: is an address in the network"),
               std::string::npos);
@@ -106,15 +107,15 @@ TEST_F(SetsOfFiles, a_playlist_plays_its_entries_and_says_which_are_not_there) {
 }
 
 TEST_F(SetsOfFiles, shuffled_they_come_in_an_order_of_the_seed) {
-    Names all;
+    NameList all;
     for (const char* const name : {"1.wav", "2.wav", "3.wav", "4.wav", "5.wav"}) {
         make(std::string("m/") + name);
         all.push_back(std::string("m/") + name);
     }
-    const Names first = played(play({path("m"), "--shuffle", "--seed", "3"}));
+    const NameList first = played(play({path("m"), "--shuffle", "--seed", "3"}));
     EXPECT_NE(first, all);
     EXPECT_EQ(played(play({path("m"), "--shuffle", "--seed", "3"})), first);
-    Names sorted = first;
+    NameList sorted = first;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(sorted, all);
 }
@@ -129,9 +130,9 @@ TEST_F(SetsOfFiles, repeated_they_begin_anew_until_somebody_stops_them) {
     raks.send(SIGINT);
     const ProcessResult result = raks.wait();
     EXPECT_EQ(result.exit_code, 130) << result.err;
-    Names names = played(result);
+    NameList names = played(result);
     names.resize(4);
-    EXPECT_EQ(names, (Names{"m/1.wav", "m/2.wav", "m/1.wav", "m/2.wav"}));
+    EXPECT_EQ(names, (NameList{"m/1.wav", "m/2.wav", "m/1.wav", "m/2.wav"}));
 }
 
 TEST_F(SetsOfFiles, a_start_behind_the_end_is_an_error_and_no_silence) {
@@ -142,14 +143,14 @@ TEST_F(SetsOfFiles, a_start_behind_the_end_is_an_error_and_no_silence) {
     write_clicks("long.wav", 3.0);
     const ProcessResult result = play({path("a.wav"), path("long.wav"), "--start", "2.5"});
     EXPECT_EQ(result.exit_code, 3) << result.err;
-    EXPECT_EQ(played(result), Names{"long.wav"});
+    EXPECT_EQ(played(result), NameList{"long.wav"});
 }
 
 TEST_F(SetsOfFiles, a_pipe_is_played_and_analyzed_to_its_end) {
     make("a.wav");
     const ProcessResult result = run_in_shell("cat a.wav | \"$0\" play - --headless --no-sound");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(played(result), Names{"standard input"});
+    EXPECT_EQ(played(result), NameList{"standard input"});
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     const ProcessResult analyzed = run_in_shell("cat a.wav > pipe & \"$0\" analyze pipe --json");
     EXPECT_EQ(analyzed.exit_code, 0) << analyzed.err;

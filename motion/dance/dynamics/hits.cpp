@@ -7,13 +7,13 @@ namespace raks::motion {
 namespace {
 
 constexpr float kLeastStrength = 0.65F;
-constexpr double kRise = 0.07;       // seconds to the farthest
-constexpr double kForgotten = 0.60;  // seconds
-constexpr float kHitTurn = 0.085F;   // radians of one bone
+constexpr double kRise = 0.07;      // seconds to the farthest
+constexpr double kOver = 0.60;      // seconds
+constexpr float kHitTurn = 0.085F;  // radians of one bone
 
 /// 0 at 0, 1 at kRise, then back to 0.
 float pulse(double seconds) noexcept {
-    if (seconds <= 0.0 || seconds >= kForgotten) {
+    if (seconds <= 0.0 || seconds >= kOver) {
         return 0.0F;
     }
     // Squared at its beginning: no jerk. What the end lacks is less than a thousandth.

@@ -94,9 +94,9 @@ TEST_F(OddStreamsTest, a_wav_without_a_length_is_read_to_its_end) {
 
 TEST_F(OddStreamsTest, what_is_written_to_a_file_while_it_is_read_is_left_out_and_said) {
     // Longer than what raks-decode decodes ahead, so that it cannot be at the end too soon.
-    constexpr double kSeconds = 20.0;
-    static_assert(kSeconds * 16'000 > kDecodeSlots * kDecodeSlotSamples);
-    const auto path = make_wav("growing.wav", kSeconds, 16'000);
+    constexpr double kLength = 20.0;
+    static_assert(kLength * 16'000 > kDecodeSlots * kDecodeSlotSamples);
+    const auto path = make_wav("growing.wav", kLength, 16'000);
     const auto whole = read_all_mono(path).value();
     const auto reader = open_audio_file(path);
     ASSERT_TRUE(reader) << reader.error().message;

@@ -54,7 +54,7 @@ Sound read_by_raks(const fs::path& path) {
 Sound read_by_ffmpeg(const fs::path& path, int rate) {
     const std::string name = path.filename().string();
     const bool has_silence = name.starts_with("late-") || name.starts_with("gap-");
-    const std::string bytes = test::run_program(
+    const std::string bytes = raks::test::run_program(
         {"ffmpeg",
          "-v",
          "quiet",
@@ -187,11 +187,12 @@ void compare_with_this_process(const fs::path& path) {
 
 TEST(SoundZoo, is_read_as_ffmpeg_decodes_it) {
     const bool is_whole = raks::test::is_whole("RAKS_SOUND_ZOO");
-    const test::TemporaryFolder folder;
-    static_cast<void>(test::run_program({"bash",
-                                         std::string(RAKS_SOURCE_DIR) + "/scripts/sound_zoo.sh",
-                                         folder.path().string(),
-                                         is_whole ? "whole" : "short"}));
+    const raks::test::TemporaryFolder folder;
+    static_cast<void>(
+        raks::test::run_program({"bash",
+                                 std::string(RAKS_SOURCE_DIR) + "/scripts/sound_zoo.sh",
+                                 folder.path().string(),
+                                 is_whole ? "whole" : "short"}));
     std::size_t count = 0;
     for (const auto& file : fs::directory_iterator(folder.path())) {
         compare(file.path());

@@ -8,7 +8,7 @@
 namespace raks {
 namespace {
 
-using Json = GlbDocument::Json;
+using Document = GlbDocument::Json;
 
 std::uint32_t word_at(const std::string& file, std::size_t offset) {
     std::uint32_t word = 0;
@@ -16,7 +16,9 @@ std::uint32_t word_at(const std::string& file, std::size_t offset) {
     return word;
 }
 
-Json json_of(const std::string& file) { return Json::parse(file.substr(20, word_at(file, 12))); }
+Document json_of(const std::string& file) {
+    return Document::parse(file.substr(20, word_at(file, 12)));
+}
 
 TEST(GlbDocument, is_a_container_whose_lengths_fit) {
     GlbDocument document;
@@ -28,10 +30,10 @@ TEST(GlbDocument, is_a_container_whose_lengths_fit) {
     ASSERT_TRUE(file);
     EXPECT_EQ(file->substr(0, 4), "glTF");
     EXPECT_EQ(word_at(*file, 8), file->size());
-    const Json json = json_of(*file);
+    const Document json = json_of(*file);
     EXPECT_EQ(json["accessors"][0]["componentType"], 5123);  // 16 bits are enough
     EXPECT_EQ(json["bufferViews"][1]["byteOffset"], 8);      // 6 bytes of corners, then floats
-    EXPECT_EQ(json["accessors"][1]["max"], Json({2.0}));
+    EXPECT_EQ(json["accessors"][1]["max"], Document({2.0}));
     EXPECT_EQ(json["buffers"][0]["byteLength"], 20);
     EXPECT_EQ(word_at(*file, 20 + word_at(*file, 12)), 20U);
 }
@@ -59,12 +61,12 @@ TEST(GlbDocument, bounds_of_sparse_vectors_count_the_zeros) {
     document.add_sparse_vec3(4, place, value, true);
     document.add_sparse_vec3(1, std::array<std::uint32_t, 1>{0}, value, true);
     document.add_sparse_vec3(4, {}, {}, true);
-    const Json accessors = json_of(*document.bytes())["accessors"];
-    EXPECT_EQ(accessors[0]["min"], Json({0.0, -2.0, 0.0}));
-    EXPECT_EQ(accessors[0]["max"], Json({1.0, 0.0, 3.0}));
-    EXPECT_EQ(accessors[1]["min"], Json({1.0, -2.0, 3.0}));
+    const Document accessors = json_of(*document.bytes())["accessors"];
+    EXPECT_EQ(accessors[0]["min"], Document({0.0, -2.0, 0.0}));
+    EXPECT_EQ(accessors[0]["max"], Document({1.0, 0.0, 3.0}));
+    EXPECT_EQ(accessors[1]["min"], Document({1.0, -2.0, 3.0}));
     EXPECT_EQ(accessors[2]["sparse"]["count"], 1) << "some readers want values";
-    EXPECT_EQ(accessors[2]["max"], Json({0.0, 0.0, 0.0}));
+    EXPECT_EQ(accessors[2]["max"], Document({0.0, 0.0, 0.0}));
 }
 
 TEST(GlbDocument, names_an_extension_once) {
@@ -72,7 +74,7 @@ TEST(GlbDocument, names_an_extension_once) {
     document.use_extension("A");
     document.use_extension("B");
     document.use_extension("A");
-    EXPECT_EQ(json_of(*document.bytes())["extensionsUsed"], Json({"A", "B"}));
+    EXPECT_EQ(json_of(*document.bytes())["extensionsUsed"], Document({"A", "B"}));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using render::Model;
 
-const fs::path kModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
+const fs::path kAvatars = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
 
 /// All vertices of a model in a posture, without what swings.
 std::vector<glm::vec3> posed(const Model& model,
@@ -95,7 +95,7 @@ void expect_moves_as_before(const fs::path& file) {
 
 TEST(GivenAway, figures_move_as_before_within_a_tenth_of_a_millimetre) {
     for (const char* name : {"Godette_vrm_v4.vrm", "RiggedFigure.glb"}) {
-        expect_moves_as_before(kModels / name);
+        expect_moves_as_before(kAvatars / name);
     }
 }
 
@@ -195,7 +195,7 @@ void expect_parts_move_as_before(const Model& figure) {
 TEST(GivenAway, figures_become_parts_of_3ds_that_move_as_before) {
     for (const char* name : {"Godette_vrm_v4.vrm", "RiggedFigure.glb", "kenney_character.glb"}) {
         SCOPED_TRACE(name);
-        const auto figure = load_to_give_away(kModels / name, {});
+        const auto figure = load_to_give_away(kAvatars / name, {});
         ASSERT_TRUE(figure) << figure.error().message;
         expect_parts_move_as_before(*figure);
     }
@@ -206,7 +206,7 @@ TEST(GivenAway, the_mannequin_becomes_parts_of_3ds_that_move_as_before) {
 }
 
 TEST(GivenAway, what_a_figure_has_besides_is_kept) {
-    auto model = load_to_give_away(kModels / "Godette_vrm_v4.vrm", {});
+    auto model = load_to_give_away(kAvatars / "Godette_vrm_v4.vrm", {});
     ASSERT_TRUE(model) << model.error().message;
     const Model before = *model;
     const auto read = written(std::move(*model));
