@@ -44,21 +44,26 @@ function(raks_compile_quickly name)
     target_compile_options(raks_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# raks_test_program(audio SOURCES ... LIBRARIES ... [LABELS ...] [NEEDS servers|display] [TIMEOUT seconds] [COST seconds] [LOCK name])
+# raks_test_program(audio [COMPUTES] SOURCES ... LIBRARIES ... [LABELS ...] [NEEDS servers|display] [TIMEOUT seconds] [COST seconds] [LOCK name])
 # makes the test program raks_tests_audio (GoogleTest, with the real-time guard linked in) and
 # registers each of its suites with ctest. Labels: the room, plus those given, plus what it needs
 # that a person's computer may not have: sound servers of its own, or a display (Xvfb). LOCK: none
 # of those with the same lock runs beside it. COST: what its longest suites take, about; on a clean
-# clone ctest starts with the longest, so that no core idles at the end. Which files a program tests
-# is written to RAKS_TEST_FILES, for scripts/sanitize.sh.
+# clone ctest starts with the longest, so that no core idles at the end. COMPUTES: not only what it tests
+# takes its time, but also its own code, or templates (Eigen's) whose copy of the test the program runs.
+# Which files a program tests is written to RAKS_TEST_FILES, for scripts/sanitize.sh.
 function(raks_test_program name)
-    cmake_parse_arguments(arg "" "TIMEOUT;COST;LOCK;NEEDS" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+    cmake_parse_arguments(arg "COMPUTES" "TIMEOUT;COST;LOCK;NEEDS" "SOURCES;LIBRARIES;LABELS" ${ARGN})
     set(target raks_tests_${name})
     add_executable(${target} ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE raks_test_support ${arg_LIBRARIES} raks_warnings)
-    target_compile_options(${target} PRIVATE ${RAKS_TEST_OPTIMIZATION})
+    set(kind tests)
+    if(arg_COMPUTES)
+        set(kind computing_tests)
+    endif()
+    target_compile_options(${target} PRIVATE ${RAKS_OPTIMIZATION_OF_${kind}})
     if(RAKS_PRECOMPILE)
-        target_precompile_headers(${target} REUSE_FROM raks_tests_precompiled)
+        target_precompile_headers(${target} REUSE_FROM raks_precompiled_${kind})
     endif()
     target_compile_definitions(${target} PRIVATE RAKS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     if(NOT arg_TIMEOUT)

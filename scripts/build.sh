@@ -34,8 +34,8 @@ fault() { grep -m 1 -E 'No space left|[Kk]illed|fatal error|error:|CMake Error' 
 mkdir -p build
 cmake --preset release "${chosen[@]}" >"$log" 2>&1 || give_up "it cannot be configured: $(fault)"
 
-# The largest source takes 1.2 GB of memory while it is compiled.
-memory=$(awk '/^MemAvailable:/ {print int($2 / 1200000)}' /proc/meminfo)
+# The largest unit takes 1.4 GB of memory while it is compiled.
+memory=$(awk '/^MemAvailable:/ {print int($2 / 1400000)}' /proc/meminfo)
 jobs=$(nproc)
 [ "$memory" -ge "$jobs" ] || jobs=$((memory > 1 ? memory : 1))
 

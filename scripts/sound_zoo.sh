@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes sound files of every kind that people have: formats by rates, channels, tags and damage. What
-# Raks reads of them is compared with what ffmpeg decodes by the test program raks_tests_sound_zoo.
+# Raks reads of them is compared with what ffmpeg decodes by the test program raks_tests_audio_io.
 #   scripts/sound_zoo.sh FOLDER [short]     short: about a fifth of them
 # Needs ffmpeg, sox, flac, lame and opus-tools. Names say what a file is; `late-` and `gap-` mark
 # those whose time line has silence that no sample holds, `cut-` those that end in the middle.
