@@ -6,14 +6,16 @@
 namespace raks::audio {
 namespace {
 
-constexpr float kUnder = 30.0F;           // dB under the loudest of late: quiet
-constexpr float kLeastLevel = -72.0F;     // dBFS: quiet whatever is around
-constexpr std::size_t kBlock = 100;       // hops of which the loudest is kept
-constexpr std::size_t kBefore = 2;        // blocks before
-constexpr float kFarUnder = 50.0F;        // dB under the loudest of the song: quiet in any case
-constexpr std::size_t kShortestGap = 3;   // of a gap: shorter dips are the ripple of low notes
-constexpr std::size_t kHabitHops = 1600;  // on either side of a pause in which others are alike
-constexpr std::size_t kHabit = 3;         // others that make it a habit
+constexpr float kUnder = 30.0F;          // dB under the loudest of late: quiet
+constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever is around
+constexpr std::size_t kBlock = 100;      // hops of which the loudest is kept
+constexpr std::size_t kBefore = 2;       // blocks before
+constexpr float kFarUnder = 50.0F;       // dB under the loudest of the song: quiet in any case
+constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the ripple of low notes
+// A pause is a habit of the music, and no stop, where at least kHabit others of about its length or
+// longer lie within kHabitHops before or after it.
+constexpr std::size_t kHabitHops = 1600;
+constexpr std::size_t kHabit = 3;
 
 // By block: the level under which a hop is quiet.
 std::vector<float> quiet_levels(std::span<const HopSound> sounds) {

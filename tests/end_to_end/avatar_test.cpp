@@ -133,7 +133,7 @@ TEST_F(Avatar, that_cannot_be_read_is_told_in_one_line) {
     expect_one_line(
         {"avatar", "show", path("x.glb")}, 1, "x.glb: is cut off within its header; copy it again");
     ASSERT_TRUE(write_file(path("x.fbx"), "Kaydara"));
-    expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: no FBX");
+    expect_one_line({"avatar", "show", path("x.fbx")}, 1, "x.fbx: is not FBX");
     ASSERT_TRUE(write_file(path("x.ply"), "ply"));
     expect_one_line(
         {"avatar", "show", path("x.ply")},
@@ -462,7 +462,8 @@ TEST_F(Avatar, who_cannot_dance_is_told_in_one_line) {
     // A bending stick, and a clip without a body.
     EXPECT_NE(message_of((kModels / "SimpleSkin.gltf").string()).find("leftUpperLeg"),
               std::string::npos);
-    EXPECT_NE(message_of((kModels / "expected.tsv").string()).find("no model"), std::string::npos);
+    EXPECT_NE(message_of((kModels / "expected.tsv").string()).find("is not a model"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_F(Stick, refuses_in_one_line_what_is_no_clip) {
     ASSERT_TRUE(write_file(folder_ / "clip.x3d", "X3D"));
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{path("none.bvh")}, "none.bvh"},
-        {{path("clip.x3d")}, "is no motion file of a known kind; known: BVH, "},
+        {{path("clip.x3d")}, "is not a motion file of a known kind; known: BVH, "},
         {{clip("odd/plain.bvh"), "--frame", "12"}, "has no frame 12, its last is 11"},
         {{clip("odd/plain.bvh"), "-o", path("x.jpg")}, "cannot write this kind of picture"},
         {{clip("odd/plain.bvh"), "--rate", "0"}, "--rate 0 would stand still"},

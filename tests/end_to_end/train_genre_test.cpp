@@ -111,10 +111,10 @@ TEST_F(TrainGenre, a_stopped_run_goes_on_from_its_cache) {
     };
     const ProcessResult first = run_once("first.json");
     ASSERT_EQ(first.exit_code, 0) << first.err;
-    EXPECT_NE(first.err.find("min of recordings analysed"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("min of recordings analyzed"), std::string::npos) << first.err;
     const ProcessResult second = run_once("second.json");
     ASSERT_EQ(second.exit_code, 0) << second.err;
-    EXPECT_EQ(second.err.find("min of recordings analysed"), std::string::npos) << second.err;
+    EXPECT_EQ(second.err.find("min of recordings analyzed"), std::string::npos) << second.err;
     EXPECT_EQ(model("second.json"), model("first.json"));
 }
 

@@ -59,7 +59,7 @@ Expected<void> check_points(PointClip& clip) {
         is_seen = true;
         const double largest = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
         if (!(largest <= kLargestMotionNumber)) {
-            return fail(fmt::format("frame {} has a point {} from the origin, which cannot be",
+            return fail(fmt::format("frame {} has a point {} from the origin, which is impossible",
                                     i / clip.names.size(),
                                     largest));
         }

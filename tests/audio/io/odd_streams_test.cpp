@@ -230,7 +230,7 @@ TEST_F(OddStreamsTest, stereo_with_one_side_upside_down_is_heard_from_the_side) 
     ASSERT_TRUE(mono) << mono.error().message;
     EXPECT_GT(correlation(mono->samples, read_all_mono(folder_ / "mono.wav").value().samples),
               0.9999);
-    EXPECT_THAT(mono->warning, HasSubstr("one side is the other upside down"));
+    EXPECT_THAT(mono->warning, HasSubstr("left and right cancel each other"));
 }
 
 TEST_F(OddStreamsTest, rates_outside_the_range_are_resampled) {

@@ -164,7 +164,7 @@ TEST_F(Pipes, a_head_that_stops_or_ends_is_said) {
     const std::string no_sound =
         pipe_.string() +
         ": is not sound that can be read from a pipe (WAV, FLAC, Ogg or MP3), "
-        "or ends in the middle of its head";
+        "or ends in the middle of its header";
     EXPECT_EQ(error_of(wav.substr(0, 20)), no_sound);
     EXPECT_EQ(error_of(std::string(300'000, 'x')), no_sound);
     EXPECT_EQ(error_of(""), pipe_.string() + ": is empty");

@@ -64,7 +64,7 @@ TEST(ForeignFbx, that_is_none_or_cut_is_told) {
     EXPECT_EQ(fault(ForeignFormat::fbx, head + version + end), "");
     EXPECT_EQ(fault(ForeignFormat::fbx, head), "is cut off within its header; copy it again");
     EXPECT_EQ(fault(ForeignFormat::fbx, head + version),
-              "is damaged: the record at byte 27 is cut");
+              "is damaged: the record at byte 27 is cut off");
     EXPECT_EQ(fault(ForeignFormat::fbx, head + std::string("\x0F\x27\0\0", 4)),
               "FBX version 9999: 6100 to 7900 are read");
     // A record "a" that would end at its own start.

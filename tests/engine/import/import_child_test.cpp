@@ -250,7 +250,7 @@ TEST_F(ImportChild, that_lies_about_lengths_is_one_line) {
             "\\x14\\0\\0\\0\\0\\0\\0\\0glTF\\2\\0\\0\\0\\xc8\\0\\0\\0\\0\\0\\0\\0JSON' >&3\nsleep "
             "100\n");
     const std::string said = message(load_model(file));
-    EXPECT_EQ(said.rfind(file.string() + ": as glTF: ", 0), 0U) << said;
+    EXPECT_EQ(said.rfind(file.string() + ": read as glTF: ", 0), 0U) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos);
 }
 

@@ -103,7 +103,7 @@ TEST(Rig, says_what_it_must_not_be) {
     EXPECT_NE(check_rig(rig).error().message.find("mirror"), std::string::npos);
     rig = ring(3);
     rig.cameras[1].rotation[0] *= 1.01;
-    EXPECT_NE(check_rig(rig).error().message.find("rotation is none"), std::string::npos);
+    EXPECT_NE(check_rig(rig).error().message.find("rotation is not one"), std::string::npos);
     rig = ring(3);
     rig.cameras[1].translation.x = std::nan("");
     EXPECT_NE(check_rig(rig).error().message.find("finite"), std::string::npos);

@@ -84,7 +84,7 @@ TEST(HumanoidMap, a_left_that_lies_right_is_swapped_and_said) {
     EXPECT_EQ(node_of_bone(model, Bone::left_hand), 8);
     EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::left_hand)],
               BoneReason::swapped);
-    EXPECT_TRUE(warns(model, "left and right are swapped"));
+    EXPECT_TRUE(warns(model, "its left and right were named the wrong way round"));
 }
 
 TEST(HumanoidMap, what_is_missing_is_listed_in_one_line) {
@@ -452,7 +452,7 @@ TEST(StandingBody, feet_of_a_rig_are_moved_to_their_legs) {
     const StandingBody standing = stand_up(model);
     EXPECT_EQ(standing.parents[static_cast<std::size_t>(foot)],
               node_of_bone(model, Bone::left_lower_leg));
-    EXPECT_TRUE(warns(model, "does not hang on the leftLowerLeg; it is moved there"));
+    EXPECT_TRUE(warns(model, "does not lie below the leftLowerLeg; it is moved there"));
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST(ModelMotion, clips_that_are_none_are_refused) {
               std::string::npos);
     Model far = model;
     far.nodes[2].translation.z = 1e30F;
-    EXPECT_NE(message(model_motion(far, 0, std::nullopt)).find("further apart"), std::string::npos);
+    EXPECT_NE(message(model_motion(far, 0, std::nullopt)).find("farther apart"), std::string::npos);
     model.animations.clear();
     EXPECT_EQ(find_animation(model, "").error().message, "there is no clip in it");
 }

@@ -77,7 +77,7 @@ TEST(MToon1, a_texture_that_is_not_there_costs_that_texture) {
 TEST(MToon1, of_a_later_version_is_left_to_gltf) {
     const ReadFigure read = read_toon1(R"({"specVersion":"2.0"})");
     EXPECT_FALSE(read.model.materials[0].mtoon);
-    EXPECT_TRUE(read.warns("is no MToon 1.0"));
+    EXPECT_TRUE(read.warns("is not MToon 1.0"));
 }
 
 // ---- VRM 0.x

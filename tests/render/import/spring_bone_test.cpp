@@ -244,7 +244,7 @@ TEST(NodeConstraint, on_itself_in_a_circle_or_of_nothing_is_left_out) {
                                                 "",
                                                 R"({"rotation":{"source":3}})"});
     EXPECT_EQ(circle.model.character.constraints.size(), 1U);
-    EXPECT_TRUE(circle.warns("closes a circle"));
+    EXPECT_TRUE(circle.warns("follows itself, by way of others"));
     const ReadFigure nothing = read_constraints({R"({"rotation":{"source":900}})"});
     EXPECT_TRUE(nothing.model.character.constraints.empty());
     EXPECT_TRUE(nothing.warns("900 does not exist: there are 18"));

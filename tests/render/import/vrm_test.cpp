@@ -269,7 +269,7 @@ TEST(Vrm0, gaze_begins_before_a_face_that_looks_back) {
     EXPECT_FLOAT_EQ(gaze.offset_from_head.z, -0.2F);
     EXPECT_FLOAT_EQ(gaze.vertical_up.input_max, 60.0F);
     EXPECT_FLOAT_EQ(gaze.vertical_down.output_scale, 1.0F);
-    EXPECT_TRUE(read.warns("curves of the gaze"));
+    EXPECT_TRUE(read.warns("curves by which its eyes turn"));
     EXPECT_TRUE(read.warns("firstPersonBone: 800"));
 }
 

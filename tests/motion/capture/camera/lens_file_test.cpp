@@ -58,7 +58,7 @@ TEST(LensFile, that_is_bad_is_refused_with_its_line) {
          "line 5: key image_width is there twice"},
         {lens_with(kLensText, "rows: 3", "rows: 4"),
          "line 6: camera_matrix has 9 numbers, not 4 x 3"},
-        {lens_with(kLensText, "5.5e+02, 0.,", "5.5e+02, 1.,"), "skew is not known"},
+        {lens_with(kLensText, "5.5e+02, 0.,", "5.5e+02, 1.,"), "a skewed lens cannot be used"},
         {lens_with(kLensText, "5.5e+02", "-5.5e+02"), "a focal length that is not positive"},
         {lens_with(kLensText, "320.25", "nan"), "\"nan\" is not a number"},
         {lens_with(kLensText, "-0.25, 0.125, 1e-3", "-0.25, 0.125 1e-3"),

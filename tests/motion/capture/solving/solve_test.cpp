@@ -297,7 +297,7 @@ TEST(Solve, refuses_what_is_no_dance_of_a_body) {
               "no frame shows 3 markers of the trunk at once (at most 0); track them again");
     TrueDance brief = good;
     brief.tracks.frame_count = 2;
-    EXPECT_NE(error_of(brief).find("are no dance"), std::string::npos);
+    EXPECT_NE(error_of(brief).find("are too few"), std::string::npos);
     EXPECT_EQ(error_of(good, {.height = 17.1}), "a dancer is 0.8 to 2.5 m tall, not 17.1");
     EXPECT_EQ(error_of(good, {.frames_per_second = std::nan("")}),
               "frames a second are 1 to 1000, not nan");

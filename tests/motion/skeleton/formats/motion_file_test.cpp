@@ -68,7 +68,7 @@ TEST(MotionFile, what_is_no_motion_is_refused_with_what_to_do) {
         const char* part;
     } rows[] = {
         {"", "is empty"},
-        {"hello", "is no motion file of a known kind; known: BVH, ASF/AMC"},
+        {"hello", "is not a motion file of a known kind; known: BVH, ASF/AMC"},
         {std::string("\x80\x04\x95\0", 4), "pickles are programs"},
         {"(dp0\nVsmpl_poses\np1\n", "pickles are programs"},
         {"\x93NUMPY\x01", "numpy.savez"},

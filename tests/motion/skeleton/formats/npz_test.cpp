@@ -64,7 +64,7 @@ TEST(Npy, what_is_no_array_of_numbers_is_refused) {
          "has the shape (1000000,), but ends after 0 numbers"},
         {head("{'descr': '<f8', 'fortran_order': False, 'shape': (4294967296, 4294967296, 2)}"),
          "but ends after 0"},
-        {head("{'descr': '<f4', 'fortran_order': False, 'shape': (a,)}"), "no list of counts"},
+        {head("{'descr': '<f4', 'fortran_order': False, 'shape': (a,)}"), "not a list of counts"},
         {test::npy_bytes(kArray).substr(0, 40), "ends inside its header"},
     };
     for (const auto& row : rows) {
@@ -152,8 +152,8 @@ TEST(JsonArrays, that_are_not_even_or_no_numbers_are_refused) {
         {"{\"a\": [\"1\"]}", "a: holds something that is not a number"},
         {"{\"a\": {\"x\": 1}}", "a: holds an object"},
         {"{\"a\": [[[[[[[[[1]]]]]]]]]}", "a: is nested too deeply"},
-        {"[1,2]", "no object"},
-        {"3", "no object"},
+        {"[1,2]", "not an object"},
+        {"3", "not an object"},
         {"{\"a\": [NaN]}", "no JSON from byte 8 on"},
         {"{\"a\": [1", "no JSON from byte"},
     };

@@ -152,13 +152,13 @@ TEST(Trc, what_is_damaged_is_refused_with_its_line) {
         std::string text;
         const char* part;
     } rows[] = {
-        {"", "x.trc: is no TRC"},
+        {"", "x.trc: is not TRC"},
         {std::string(kTrc.substr(0, 60)), "x.trc: is not TRC, or ends inside its header"},
         {with(kTrc, "901", "x"), "x.trc: line 8: \"x\" is not a number"},
         {with(kTrc, "LASI\t\t\tRASI", "\t\t\t"), "line 4: names 0 markers"},
         {with(kTrc, "0.25\n", "0.25\t7\n"), "line 7: 9 cells for 2 markers: at most 8"},
         {with(kTrc, "\n100\t", "\n0\t"), "its frame rate is 0"},
-        {with(kTrc, "900", "1e9"), "which cannot be"},
+        {with(kTrc, "900", "1e9"), "which is impossible"},
         {std::string(kTrc.substr(0, kTrc.find("1\t0.00"))), "has no frames"},
     };
     for (const auto& row : rows) {
@@ -195,7 +195,7 @@ TEST(PointTable, what_does_not_fit_is_refused_with_its_line) {
         const char* part;
     } rows[] = {
         {"", "x.csv: is empty"},
-        {"a,b,c\n1,2,3\n", "line 1: no columns of places: they are called NAME_x"},
+        {"a,b,c\n1,2,3\n", "line 1: has no columns of positions, which are called NAME_x"},
         {with(kCsv, "RASI_y,", ""), "line 1: the point \"RASI\" has no column for y"},
         {with(kCsv, "RASI_y", "RASI_x"), "the column \"RASI_x\" is there twice"},
         {with(kCsv, "0.25\n", "0.25,7\n"), "line 2: has 9 cells for 8 columns"},
