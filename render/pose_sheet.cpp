@@ -74,8 +74,9 @@ Expected<PoseSheet> draw_sheet(Renderer& renderer,
         return fail("a pose sheet of " + std::to_string(width) + "x" + std::to_string(height) +
                     " pixels, at most " + std::to_string(OffscreenTarget::kMaxSide) + " a side");
     }
-    Expected<OffscreenTarget> target = OffscreenTarget::create(
-        {.width = static_cast<int>(width), .height = static_cast<int>(height), .samples = 4});
+    Expected<OffscreenTarget> target = OffscreenTarget::create({.width = static_cast<int>(width),
+                                                                .height = static_cast<int>(height),
+                                                                .samples = config.samples});
     if (!target) {
         return fail(std::move(target.error()));
     }

@@ -17,6 +17,7 @@ struct PoseSheetConfig {
     int columns = 8;        ///< poses in a row, >= 1
     int tile_width = 240;   ///< pixels
     int tile_height = 320;  ///< pixels
+    int samples = 4;        ///< a pixel
     /// One row of pictures for each, at least one.
     std::vector<Camera> cameras = default_cameras();
 

@@ -90,11 +90,13 @@ SheetLabels figure_labels(std::string title, std::size_t poses, int per_beat) {
 
 SheetStudio::SheetStudio(render::OffscreenContext context,
                          render::Renderer renderer,
-                         const engine::Look& look)
+                         const engine::Look& look,
+                         render::Quality quality)
     : context_(std::move(context)),
       renderer_(std::move(renderer)),
       scene_(look.scene),
-      size_(render::size_of(*look.avatars.front().avatar)) {}
+      size_(render::size_of(*look.avatars.front().avatar)),
+      quality_(quality) {}
 
 Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Quality quality) {
     auto context = render::OffscreenContext::create();
@@ -105,14 +107,16 @@ Expected<SheetStudio> SheetStudio::open(const engine::Look& look, render::Qualit
     if (!renderer) {
         return fail(renderer.error());
     }
-    return SheetStudio(std::move(*context), std::move(*renderer), look);
+    return SheetStudio(std::move(*context), std::move(*renderer), look, quality);
 }
 
-// A sheet's cameras are made for the mannequin.
+// A sheet's cameras are made for the mannequin. Its edges are smooth on every computer, unless a
+// person asks for speed.
 render::PoseSheetConfig SheetStudio::framed(render::PoseSheetConfig config) const {
     for (render::Camera& camera : config.cameras) {
         camera = engine::camera_for(camera, size_);
     }
+    config.samples = quality_ == render::Quality::fast ? 1 : config.samples;
     return config;
 }
 

@@ -71,7 +71,8 @@ class SheetStudio {
  private:
     SheetStudio(render::OffscreenContext context,
                 render::Renderer renderer,
-                const engine::Look& look);
+                const engine::Look& look,
+                render::Quality quality);
     [[nodiscard]] render::PoseSheetConfig framed(render::PoseSheetConfig config) const;
     template <typename Body>
     [[nodiscard]] Expected<void> write(const Path& output,
@@ -82,7 +83,8 @@ class SheetStudio {
     render::OffscreenContext context_;
     render::Renderer renderer_;  // destroyed before the context, which it needs
     render::Scene scene_;
-    float size_;  // of who is drawn, against the mannequin
+    float size_;               // of who is drawn, against the mannequin
+    render::Quality quality_;  // as it was asked for
 };
 
 }  // namespace raks::apps
