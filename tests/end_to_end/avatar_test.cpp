@@ -281,7 +281,9 @@ TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
                                            "--avatar",
                                            model,
                                            "--size",
-                                           "160x160",
+                                           "96x96",
+                                           "--fps",
+                                           "10",
                                            "--quality",
                                            "fast",
                                            "-o"};
@@ -290,7 +292,7 @@ TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
     const auto result = run(silent);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     auto sounding = film;
-    sounding.insert(sounding.end(), {path("song.mp4"), path("song.wav"), "--duration", "1"});
+    sounding.insert(sounding.end(), {path("song.mp4"), path("song.wav"), "--duration", "0.4"});
     const auto other = run(sounding);
     ASSERT_EQ(other.exit_code, 0) << other.err;
     EXPECT_TRUE(fs::exists(path("song.mp4")));
@@ -355,9 +357,9 @@ TEST_F(Avatar, a_character_dances_in_films_and_its_maker_is_named) {
     const std::vector<std::string> film = {"render",
                                            path("song.wav"),
                                            "--duration",
-                                           "1",
+                                           "0.4",
                                            "--size",
-                                           "160x160",
+                                           "96x96",
                                            "--quality",
                                            "fast",
                                            "--as-live",

@@ -185,7 +185,7 @@ TEST_F(Commands, dance_is_the_same_bytes_for_a_seed) {
 }
 
 TEST_F(Commands, render_writes_the_same_video_twice) {
-    write_music("salsa.wav", 184.0, 3.0);
+    write_music("salsa.wav", 184.0, 1.5);
     for (const char* name : {"a.avi", "b.avi", "a.mp4", "a.webm", "a.mkv"}) {
         const ProcessResult result = run({"render",
                                           path("salsa.wav"),

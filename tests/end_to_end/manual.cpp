@@ -169,6 +169,15 @@ void add_missing(std::vector<std::string>& words, const std::string& option, con
     }
 }
 
+/// A quarter of each side of the picture that is asked for, of the same shape.
+void draw_small(std::vector<std::string>& words) {
+    add_missing(words, "--size", "320x180");
+    std::string& size = *(std::find(words.begin(), words.end(), "--size") + 1);
+    const std::size_t by = size.find('x');
+    const auto smaller = [](const std::string& side) { return std::stoi(side) / 8 * 2; };
+    size = fmt::format("{}x{}", smaller(size.substr(0, by)), smaller(size.substr(by + 1)));
+}
+
 }  // namespace
 
 std::string ManualCommand::said() const {
@@ -199,9 +208,9 @@ std::vector<std::string> without_window(std::vector<std::string> words) {
         add_missing(words, "--duration", "1");
     }
     if (command == "render") {
-        add_missing(words, "--duration", "1");
-        add_missing(words, "--size", "320x180");
+        add_missing(words, "--duration", "0.4");
         add_missing(words, "--quality", "fast");
+        draw_small(words);
     }
     if (command == "stick") {
         add_missing(words, "-o", "window.png");

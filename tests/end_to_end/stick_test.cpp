@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 class Stick : public ProgramTest {
  protected:
+    void SetUp() override { draw_small_pictures(); }
     [[nodiscard]] static std::string clip(const std::string& name) {
         return (fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "bvh" / name).string();
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -255,15 +256,12 @@ TEST_F(TeachDance, a_thousand_dances_are_cut_and_that_is_said) {
     for (int i = 0; i < 1000; ++i) {
         const std::string name = fmt::format("dance{:04}", i);
         fs::create_directories(dances / name);
-        ASSERT_TRUE(write_file(
-            dances / name / "dances.toml",
-            fmt::format("format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"{}\"\n",
-                        name)));
-        ASSERT_TRUE(write_file(
-            dances / name / (name + ".toml"),
-            fmt::format("format = \"raks-dance\"\nversion = 1\ndance = \"{}\"\n[[figure]]\nname = "
-                        "\"x\"\n",
-                        name)));
+        // Not by write_file, which waits for the disk.
+        std::ofstream(dances / name / "dances.toml") << fmt::format(
+            "format = \"raks-dances\"\nversion = 1\n[[dance]]\nname = \"{}\"\n", name);
+        std::ofstream(dances / name / (name + ".toml")) << fmt::format(
+            "format = \"raks-dance\"\nversion = 1\ndance = \"{}\"\n[[figure]]\nname = \"x\"\n",
+            name);
     }
     const ProcessResult result = run_here({"dance", "song.mp3", "--dance", "waltz", "-o", "x.bvh"});
     EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -185,7 +185,7 @@ TEST(Stage, does_not_flip_between_octaves) {
                                      std::pair{Style::four_on_the_floor, 125.0},
                                      std::pair{Style::boom_bap, 75.0},
                                      std::pair{Style::drums, 60.0}}) {
-        const auto states = listen(music(style, {{0.0, bpm}}, 60.0));
+        const auto states = listen(music(style, {{0.0, bpm}}, 45.0));
         for (std::size_t hop = 800; hop < states.size(); ++hop) {
             ASSERT_NEAR(states[hop].grid.tempo.bpm() / bpm, 1.0, 0.1)
                 << name_of(style) << " at " << bpm << " BPM, " << 0.01 * static_cast<double>(hop)
