@@ -21,8 +21,8 @@ expect_refusal() {
 mkdir -p "$work/a tree"
 cp -r "$scripts" "$work/a tree/scripts"
 cd "$work"
-expect_refusal 2 "nosuch.mp3: no file that can be read" "a tree/scripts/dance.sh" nosuch.mp3
-expect_refusal 2 "no file that can be read" "a tree/scripts/dance.sh" "$work"
+expect_refusal 2 "nosuch.mp3: is not a file that can be read" "a tree/scripts/dance.sh" nosuch.mp3
+expect_refusal 2 "is not a file that can be read" "a tree/scripts/dance.sh" "$work"
 expect_refusal 2 "usage: scripts/build.sh" "a tree/scripts/build.sh" everything
 expect_refusal 2 "usage: scripts/test.sh" "a tree/scripts/test.sh" --most
 [ ! -e "a tree/build" ] || { echo "FAILED: something was built" >&2; failures=$((failures + 1)); }
