@@ -88,7 +88,12 @@ FileSound::Filled FileSound::fill(std::span<float> interleaved,
     Filled filled{.first = device_rate_.time_of(frames_out_)};
     // relaxed: switches that order nothing. A pause fades out before it stops: no click.
     const bool is_pausing = is_paused_.load(std::memory_order_relaxed);
-    if ((is_pausing && gain_ == 0.0F) || is_held_back_.load(std::memory_order_relaxed)) {
+    const bool is_held_back = is_held_back_.load(std::memory_order_relaxed);
+    // What does not sound yet has nothing to fade out when it is let go.
+    if (is_pausing && is_held_back) {
+        gain_ = 0.0F;
+    }
+    if ((is_pausing && gain_ == 0.0F) || is_held_back) {
         filled.is_still = true;
         return filled;
     }

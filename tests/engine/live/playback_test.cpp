@@ -171,6 +171,19 @@ TEST_F(PlaybackTest, an_end_behind_the_file_changes_nothing) {
     EXPECT_EQ(play_out(), kFileSeconds * kHertz);
 }
 
+TEST_F(PlaybackTest, what_is_paused_while_it_is_held_back_gives_nothing_when_it_is_let_go) {
+    playback_->hold_back();
+    static_cast<void>(call());
+    playback_->set_paused(true);
+    static_cast<void>(call());
+    playback_->let_go();
+    const std::vector<float> left = call();
+    EXPECT_EQ(std::count(left.begin(), left.end(), 0.0F), static_cast<std::ptrdiff_t>(left.size()));
+    EXPECT_EQ(playback_->analysis().taken_until(), StreamTime{});
+    playback_->set_paused(false);
+    EXPECT_NEAR(call().back(), 0.1F, 1e-4F) << "from the file's first frame on";
+}
+
 TEST_F(PlaybackTest, what_is_held_back_begins_whole_when_it_is_let_go) {
     playback_->hold_back();
     for (int i = 0; i < 3; ++i) {
