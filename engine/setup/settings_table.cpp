@@ -238,7 +238,7 @@ std::optional<double> number_of(const SettingRow& row, const Settings& settings)
 
 std::span<const SettingRow> setting_rows() noexcept { return kRows; }
 
-const SettingRow& row_of(SettingField field) noexcept {
+const SettingRow& row_of(SettingField field) {
     const auto row = std::find_if(
         kRows.begin(), kRows.end(), [&](const SettingRow& each) { return each.field == field; });
     RAKS_ASSERT(row != kRows.end());

@@ -81,7 +81,7 @@ struct SettingRow {
 [[nodiscard]] std::span<const SettingRow> setting_rows() noexcept;
 
 /// The row of a field. Precondition: it has one.
-[[nodiscard]] const SettingRow& row_of(SettingField field) noexcept;
+[[nodiscard]] const SettingRow& row_of(SettingField field);
 
 /// "picture.theme": how errors name a setting.
 [[nodiscard]] std::string full_name(const SettingRow& row);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 
 #include <nlohmann/json.hpp>

@@ -11,6 +11,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
