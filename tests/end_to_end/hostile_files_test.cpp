@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {
