@@ -35,6 +35,16 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
 
+Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(const CellDance& dance,
+                                                                  const Skeleton& skeleton) {
+    auto content = make_cell_content(dance, skeleton);
+    if (!content) {
+        return fail(std::move(content.error()));
+    }
+    return std::shared_ptr<const DanceLibrary>(
+        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
+}
+
 std::string DanceLibrary::packed() const { return pack_content(*content_); }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(

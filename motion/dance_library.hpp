@@ -13,6 +13,7 @@
 
 namespace raks::motion {
 
+struct CellDance;      // motion/cells/cell_dance.hpp
 struct FigureGrammar;  // motion/figures/figure_grammar.hpp
 struct FigureModel;    // motion/figures/figure_model.hpp
 
@@ -30,6 +31,10 @@ class DanceLibrary {
         const Skeleton& skeleton,
         const FigureGrammar* grammar = nullptr,
         Generator generator = Generator::trajectories);
+    /// Solves the takes of a dance of cells (some 100 ms a minute). Errors: a take that cannot be
+    /// solved, named. Threads: workers. Real-time: no.
+    [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
+        const CellDance& dance, const Skeleton& skeleton);
     /// What build() solved, as bytes for a cache on this machine; unpack() gives the same bits
     /// back. They are valid only for the program, skeleton and grammar that they were solved with.
     /// Threads: workers. Real-time: no.

@@ -207,7 +207,7 @@ void Dancer::State::leave(const MusicState& music) noexcept {
     }
     const bool is_turned = sequence.is_turned();
     const DanceLibrary* const other = repertoire->of(next);
-    FigureSequence begun;
+    DanceSequence begun;
     begun.start(other->content(), stage, part, part.is_in_couple && is_turned);
     const double turn = std::remainder(
         floor_frame(begun.at(Beats(0.0))).heading - floor_frame(shown).heading, 2.0 * M_PI);

@@ -13,9 +13,9 @@
 #include "motion/dance/dynamics/phrases.hpp"
 #include "motion/dance/dynamics/planted_feet.hpp"
 #include "motion/dance/dynamics/stillness.hpp"
-#include "motion/dance/figure_sequence.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/standing.hpp"
+#include "motion/dance/dance_sequence.hpp"
 #include "motion/dancer.hpp"
 #include "motion/library_content.hpp"
 #include "motion/repertoire.hpp"
@@ -42,7 +42,7 @@ struct Dancer::Course {
     DanceId genre = DanceId::none;     // of what is danced, or was last
     DanceId selected = DanceId::none;  // by command
     int bars_to_wait = 0;              // downbeats that still pass before the start
-    FigureSequence sequence;
+    DanceSequence sequence;
     FigureWish wish;
     bool stands_turned = false;  // half a turn from where the first dance began: couples
     Standing standing;

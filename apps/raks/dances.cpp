@@ -4,9 +4,12 @@
 #include "apps/raks/commands.hpp"
 #include "apps/reports/text_table.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file.hpp"
 #include "base/json.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
+#include "engine/setup/dance_folder.hpp"
+#include "motion/cells/cell_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +21,9 @@ namespace {
 struct FoundDance {
     const engine::CatalogueEntry* entry = nullptr;
     std::vector<std::string> figures;
-    std::string fault;  ///< why it cannot be danced; empty: it can
+    std::vector<std::string> takes;  ///< of a dance of whole takes, which has no figures
+    std::string licence;             ///< of the takes, and who made them
+    std::string fault;               ///< why it cannot be danced; empty: it can
 };
 
 // Origins as people read them.
@@ -37,7 +42,20 @@ const char* name_of(engine::DanceOrigin origin) {
 // Reads the dance in all its roles, as dancing it would: a fault is found here and not during a
 // show.
 FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::CatalogueEntry& entry) {
-    FoundDance found{&entry, {}, {}};
+    FoundDance found;
+    found.entry = &entry;
+    if (const Path cells = engine::cells_path(entry.folder, entry.info.name); is_there(cells)) {
+        const auto dance = motion::load_cells(cells);
+        if (!dance) {
+            found.fault = dance.error().message;
+            return found;
+        }
+        for (const motion::CellTake& take : dance->graph.takes) {
+            found.takes.push_back(take.name);
+        }
+        found.licence = dance->licence;
+        return found;
+    }
     // A dance for one has no follow.
     for (const auto role : {motion::DanceRole::lead, motion::DanceRole::follow}) {
         if (role == motion::DanceRole::follow && entry.info.roles < 2) {
@@ -75,6 +93,8 @@ Json json_of(const FoundDance& found) {
         json["extensions"].push_back(folder.string());
     }
     json["figures"] = found.figures;
+    json["takes"] = found.takes;
+    json["licence"] = found.licence;
     json["fault"] = found.fault;
     return json;
 }
@@ -94,11 +114,18 @@ std::string text_of(const FoundDance& found) {
     for (const Path& folder : found.entry->extensions) {
         text += fmt::format("  and {}\n", printable(folder.string()));
     }
-    text += found.fault.empty()
-                ? fmt::format("  figures: {}\n",
-                              printable(fmt::format("{}", fmt::join(found.figures, ", ")),
-                                        std::string::npos))
-                : fmt::format("  cannot be danced: {}\n", printable(found.fault));
+    if (!found.fault.empty()) {
+        return text + fmt::format("  cannot be danced: {}\n", printable(found.fault));
+    }
+    const bool is_of_takes = !found.takes.empty();
+    text += fmt::format(
+        "  {}: {}\n",
+        is_of_takes ? "takes" : "figures",
+        printable(fmt::format("{}", fmt::join(is_of_takes ? found.takes : found.figures, ", ")),
+                  std::string::npos));
+    if (!found.licence.empty()) {
+        text += fmt::format("  {}\n", printable(found.licence, std::string::npos));
+    }
     return text;
 }
 

@@ -63,6 +63,7 @@ void add_commands_of(RaksCommands& table,
 
 void add_training_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {{"figure", "learn a dance figure from motion"},
+                                          {"take", "make a dance of whole takes"},
                                           {"report", "show how figures are learnt"},
                                           {"beats", "learn to track beats from MIDI files"},
                                           {"genre", "learn to tell dances apart from music"}};

@@ -74,6 +74,17 @@ void add_train_figure(CommandTable& table) {
         "own name");
 }
 
+void add_train_take(CommandTable& table) {
+    auto [app, a] = table.add(table.app(), "take", "make a dance of whole takes", train_take);
+    app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
+    app->add_option("--counts", a->counts, "TSV: take, time, half, used; a row a beat")->required();
+    app->add_option("--dance", a->dance, "its name, where -o is a folder");
+    app->add_option("--licence", a->licence, "of the takes, and who made them");
+    add_body_options(*app, a->body);
+    app->add_option("-o,--out", a->output, "NAME of a dance to install it as, or a folder")
+        ->required();
+}
+
 void add_train_report(CommandTable& table) {
     auto [app, a] = table.add(table.app(), "report", "show how figures are learnt", train_report);
     app->add_option("clips", a->clips, "motion files, or a folder of them")->required();

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
         table.app().require_subcommand(1);
         const std::string command = kept_command(argc, argv);
         add_train_figure(table);
+        add_train_take(table);
         add_train_report(table);
         add_train_beats(table, command);
         add_train_genre(table, command);

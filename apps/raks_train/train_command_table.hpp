@@ -9,6 +9,8 @@ namespace raks::apps {
 
 /// Adds `figure`.
 void add_train_figure(CommandTable& table);
+/// Adds `take`.
+void add_train_take(CommandTable& table);
 /// Adds `report`.
 void add_train_report(CommandTable& table);
 /// Adds `beats`. `command`: the command line, which is stored in what it makes.

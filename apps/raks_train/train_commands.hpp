@@ -58,6 +58,18 @@ struct TrainFigureArguments : LabelledClips {
 /// Learns the figures of a written dance.
 [[nodiscard]] ExitCode train_authored(const TrainFigureArguments& arguments);
 
+/// Arguments of `raks train take`.
+struct TrainTakeArguments {
+    std::vector<Path> clips;  ///< motion files, or a folder of them
+    Path counts;              ///< .tsv: take, time, half, used
+    std::string dance;        ///< its name, where `output` is a folder
+    std::string licence;      ///< of the takes, and who made them
+    BodyArguments body;       ///< how bodies lie in the clips' files
+    std::string output;       ///< a folder, or the name of a dance
+};
+/// Learns a dance of cells from whole takes.
+[[nodiscard]] ExitCode train_take(const TrainTakeArguments& arguments);
+
 /// Arguments of `raks train report`.
 struct TrainReportArguments : LabelledClips {
     /// Uses labels of lower confidence than training does: it only judges.

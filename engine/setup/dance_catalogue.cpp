@@ -132,7 +132,8 @@ void DanceCatalogue::add(CatalogueEntry entry) {
         return;
     }
     // A dance is listed only when its figures can be put in order.
-    if (!is_there(grammar_path(entry.folder, entry.info.name))) {
+    if (!is_there(grammar_path(entry.folder, entry.info.name)) &&
+        !is_there(cells_path(entry.folder, entry.info.name))) {
         notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
                                      entry.folder.string(),
                                      grammar_path({}, entry.info.name).string(),

@@ -7,8 +7,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/file.hpp"
 #include "base/suggest.hpp"
+#include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
+#include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
 
 namespace raks::engine {
@@ -103,12 +106,37 @@ motion::Dynamics dynamics_of(const Settings& settings) {
     return settings.dynamics == "off" ? motion::Dynamics::off : motion::Dynamics::on;
 }
 
+namespace {
+
+// A dance of whole takes. Errors: what it is asked for is not in the takes.
+Expected<std::shared_ptr<const motion::DanceLibrary>> load_cell_dance(
+    const CatalogueEntry& entry,
+    const motion::Skeleton& skeleton,
+    motion::DanceRole role,
+    const DanceForm& form) {
+    const std::string& dance = entry.info.name;
+    if (role == motion::DanceRole::follow) {
+        return fail(dance + " is danced alone");
+    }
+    if (form.generator == motion::Generator::frames) {
+        return fail(dance + " is a dance of whole takes; leave --generator frames out");
+    }
+    const auto cells = motion::load_cells(cells_path(entry.folder, dance));
+    return cells ? motion::DanceLibrary::build(*cells, skeleton) : fail(cells.error());
+}
+
+}  // namespace
+
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCatalogue& catalogue,
                                                                  std::string_view dance,
                                                                  const motion::Skeleton& skeleton,
                                                                  motion::DanceRole role,
                                                                  const DanceForm& form,
                                                                  const DanceCache& cache) {
+    if (const CatalogueEntry* const entry = catalogue.find(dance);
+        entry != nullptr && is_there(cells_path(entry->folder, dance))) {
+        return load_cell_dance(*entry, skeleton, role, form);
+    }
     auto plan = catalogue.plan(dance, role, form);
     if (!plan) {
         return fail(std::move(plan.error()));

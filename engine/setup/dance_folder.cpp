@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "motion/cells/cell_file.hpp"
 #include "motion/figures/figure_grammar.hpp"
 
 #include <fmt/format.h>
@@ -91,6 +92,10 @@ fs::path grammar_path(const fs::path& folder, std::string_view dance) {
     return folder / fmt::format("{}.toml", dance);
 }
 
+fs::path cells_path(const fs::path& folder, std::string_view dance) {
+    return folder / fmt::format("{}.cells", dance);
+}
+
 fs::path figure_path(const fs::path& folder,
                      std::string_view dance,
                      std::string_view figure,
@@ -169,6 +174,18 @@ Expected<void> add_to_folder(const fs::path& folder,
     }
     return change_folder(folder, [&](const fs::path& changed) {
         return add_files(changed, dance, figures, couple);
+    });
+}
+
+Expected<void> add_to_folder(const fs::path& folder,
+                             const DanceInfo& dance,
+                             const motion::CellDance& cells) {
+    if (!is_dance_name(dance.name)) {
+        return fail("dance: " + why_no_dance_name(dance.name));
+    }
+    return change_folder(folder, [&](const fs::path& changed) {
+        auto written = write_file(cells_path(changed, dance.name), motion::cell_text(cells));
+        return written ? list_dance(changed, dance) : written;
     });
 }
 

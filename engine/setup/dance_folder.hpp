@@ -9,6 +9,7 @@
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
+#include "motion/cells/cell_dance.hpp"
 #include "motion/figures/couple_form.hpp"
 #include "motion/figures/figure_model.hpp"
 
@@ -33,6 +34,10 @@ namespace raks::engine {
                                                 motion::DanceRole role,
                                                 motion::FigureFeatures features);
 
+/// folder/DANCE.cells: a dance of cells, in place of figures and grammar.
+[[nodiscard]] std::filesystem::path cells_path(const std::filesystem::path& folder,
+                                               std::string_view dance);
+
 /// A figure to be added, with how often it occurred in the material that it was learnt from.
 struct LearntFigure {
     const motion::FigureModel* model = nullptr;  ///< never null; must outlive the call
@@ -51,5 +56,10 @@ struct LearntFigure {
                                            const DanceInfo& dance,
                                            std::span<const LearntFigure> figures,
                                            const std::optional<motion::CoupleForm>& couple = {});
+
+/// The same for a dance of cells: writes its file and lists it.
+[[nodiscard]] Expected<void> add_to_folder(const std::filesystem::path& folder,
+                                           const DanceInfo& dance,
+                                           const motion::CellDance& cells);
 
 }  // namespace raks::engine

@@ -46,6 +46,7 @@ std::vector<FigurePath> closed_paths(std::span<const FigureModel> figures,
     for (const FigureModel& model : figures) {
         FigurePath way;
         way.half_turns = static_cast<int>(std::lround(model.net_turn / M_PI));
+        way.turn = M_PI * way.half_turns;
         if (way.half_turns % 2 != 0) {
             const double scale =
                 static_cast<double>(skeleton.hips_height()) / model.source_hips_height;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "base/beats.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
+#include "motion/cells/cell_dance.hpp"
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"
@@ -56,6 +58,8 @@ struct DanceContent {
     FloorMove stage;    ///< from a figure's start to the stage: centred, facing the audience
     Pose rest;          ///< what no passage sets: softly bent fingers
     Skeleton skeleton;  ///< that it was solved for
+    /// Of a dance of cells, whose figures are whole takes; null: of a dance of figures.
+    std::shared_ptr<const CellGraph> cells;
 };
 
 /// Solves all figures. Errors: as DanceLibrary::build says. Threads: workers; starts two of its
@@ -64,6 +68,11 @@ struct DanceContent {
                                                   const Skeleton& skeleton,
                                                   const FigureGrammar* grammar,
                                                   Generator generator = Generator::trajectories);
+
+/// Solves the takes of a dance of cells, one after the other as learnt. Errors: as make_content().
+/// Threads: workers; starts two of its own. Real-time: no.
+[[nodiscard]] Expected<DanceContent> make_cell_content(const CellDance& dance,
+                                                       const Skeleton& skeleton);
 
 /// Sets what follows from the grammar alone: the holds of the content and of its figures, which are
 /// in the order of the grammar's rules, and which figures can be danced left for right or slowly.

@@ -7,6 +7,7 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
 #include "motion/dance/body/limb_ik.hpp"
+#include "motion/dance/pose_join.hpp"
 
 namespace raks::motion {
 namespace {
@@ -51,61 +52,20 @@ constexpr double kSlowShare = 0.5;
 constexpr int kLongestSlow = 4;  // beats of a figure: it must be over soon when all comes in
 constexpr std::uint64_t kTempoStream = 7;
 
-/// How far a foot has moved from one figure to the next, and how high it is lifted on the way.
-struct FootShare {
-    float share = 0.0F;
-    float lift = 0.0F;  // metres
-    // Place to start from; none: the last figure's
-    std::optional<FootPlace> held;
-    bool is_planted = false;  // there as a whole; else only over the floor
-};
-
 // Horizontal distance.
 float over_floor(const glm::vec3& a, const glm::vec3& b) noexcept {
     return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
 }
 
-/// Interpolates two poses, with the feet by their places in the world: rotations averaged down a
-/// leg would move a foot that both figures have planted. The paper's generator plants none, so
-/// there rotations suffice.
+/// The paper's generator plants no foot, so there rotations suffice.
 Pose average(const DanceContent& content,
              const Pose& from,
              const Pose& to,
              float share,
              const std::array<FootShare, 2>& feet) noexcept {
-    Pose pose = interpolate(from, to, share);
-    if (content.generator == Generator::frames) {
-        return pose;
-    }
-    const Skeleton& skeleton = content.skeleton;
-    const WorldPose a = world_body(skeleton, from);
-    const WorldPose b = world_body(skeleton, to);
-    for (const Side side : kSides) {
-        const FootShare& own = feet[static_cast<std::size_t>(side)];
-        // The pivot is interpolated, so that a foot that both plant there stays, though its heel be
-        // higher in one.
-        FootPlace before = foot_place(skeleton, a, side);
-        if (own.held && own.is_planted) {
-            before = *own.held;
-        } else if (own.held) {
-            before.pivot = {own.held->pivot.x, before.pivot.y, own.held->pivot.z};
-        }
-        const FootPlace after = foot_place(skeleton, b, side);
-        const glm::vec3 place = glm::mix(before.pivot, after.pivot, own.share);
-        FootTarget target;
-        target.rotation = glm::slerp(before.rotation, after.rotation, own.share);
-        target.ankle = place - pivot_from_ankle(skeleton, side, target.rotation);
-        if (own.lift > 0.0F) {
-            target.ankle.y += own.lift;
-            pose.foot_contact[static_cast<std::size_t>(side)] = false;
-        }
-        // The interpolated sole must not dip into the floor.
-        const float standing = -lowest_of_sole(
-            skeleton, side, target.rotation, pose.rotation(on_side(Bone::left_toes, side)));
-        target.ankle.y = std::max(target.ankle.y, standing);
-        solve_leg(skeleton, side, target, pose);
-    }
-    return pose;
+    return content.generator == Generator::frames
+               ? interpolate(from, to, share)
+               : joined_poses(content.skeleton, from, to, share, feet);
 }
 
 }  // namespace

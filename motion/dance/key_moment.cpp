@@ -24,7 +24,7 @@ float way_between(const Pose& from, const Pose& to) noexcept {
 
 }  // namespace
 
-Beats key_moment(const FigureSequence& sequence, Beats from, Beats to) noexcept RAKS_NONBLOCKING {
+Beats key_moment(const DanceSequence& sequence, Beats from, Beats to) noexcept RAKS_NONBLOCKING {
     const Beats step((to - from).count() / kSamples);
     Beats best = to;
     float least = INFINITY;
@@ -44,7 +44,7 @@ Beats key_moment(const FigureSequence& sequence, Beats from, Beats to) noexcept 
     return best;
 }
 
-Beats stands_until(const FigureSequence& sequence, Beats from, Beats to) noexcept RAKS_NONBLOCKING {
+Beats stands_until(const DanceSequence& sequence, Beats from, Beats to) noexcept RAKS_NONBLOCKING {
     constexpr Beats kStep(0.2);
     Beats stood = from;
     for (Beats at = from; at <= to; at = at + kStep) {

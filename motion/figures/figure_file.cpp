@@ -177,9 +177,8 @@ void read_feet(const Field& root, FigureModel& model) {
     for (std::size_t side = 0; side < kSideNames.size(); ++side) {
         const Field contact = root["contact"][kSideNames[side]];
         const std::vector<double> chances = contact.numbers();
-        // The array has a fixed size, so the length is checked here, not by validate().
         if (chances.size() == kContactBins) {
-            std::copy(chances.begin(), chances.end(), model.contact[side].begin());
+            model.contact[side] = chances;
         } else {
             contact.complain(
                 fmt::format("has {} numbers, must have {}", chances.size(), kContactBins));

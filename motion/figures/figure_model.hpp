@@ -160,7 +160,7 @@ struct LandingOffset {
 /// By Side, then by count 1..beats (index 0 is count 1).
 using FigureLandings = std::array<std::vector<LandingOffset>, 2>;
 
-inline constexpr std::size_t kContactBins = 64;  ///< over one figure
+inline constexpr std::size_t kContactBins = 64;  ///< over one figure; a take has more
 
 /// One figure: name, timing, parts and feet.
 struct FigureModel {
@@ -194,9 +194,10 @@ struct FigureModel {
     /// learnt tempo; metres a second. A mean over repeats dances smaller: it is widened to this.
     double peak_toe_speed = 3.0;
 
-    /// Chance [0, 1] that the toe of a side rests on the floor; bin j spans the phase
-    /// [j, j+1) x beats / kContactBins. By Side.
-    std::array<std::array<double, kContactBins>, 2> contact{};
+    /// Chance [0, 1] that the toe of a side rests on the floor; bin j of N spans the phase
+    /// [j, j+1) x beats / N. By Side; as many for both.
+    std::array<std::vector<double>, 2> contact{std::vector<double>(kContactBins),
+                                               std::vector<double>(kContactBins)};
     /// How far each hand is closed, [0, 1] (motion/skeleton/pose.hpp), by Side: one number,
     /// or kContactBins as of `contact`; none: not known, captures have no fingers.
     std::array<std::vector<double>, 2> fist;

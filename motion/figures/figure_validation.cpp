@@ -19,7 +19,7 @@ constexpr double kLargest = 1e4;
 // more.
 constexpr double kLeastVariance = 1e-12;
 constexpr std::size_t kMostSamples = 2048;  // of a figure: smoothing takes its square
-constexpr std::size_t kMaxStates = 256;     // of one part
+constexpr std::size_t kMaxStates = 512;     // of one part: 64 beats, 8 a beat
 constexpr double kUnitTolerance = 1e-6;     // of unit quaternions and sums of probabilities
 
 // In all checks `name` is the field's path, such as "parts[0].states[3]", for the error.
@@ -350,7 +350,13 @@ Expected<void> check_size_by_tempo(const SizeByTempo& size) {
 // Contact probabilities, and one landing offset for each count.
 Expected<void> check_feet(const FigureModel& model) {
     for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t j = 0; j < kContactBins; ++j) {
+        if (auto ok = check_size(fmt::format("contact.{}", kSideNames[side]),
+                                 model.contact[side].size(),
+                                 std::max<std::size_t>(model.contact[0].size(), 1));
+            !ok) {
+            return ok;
+        }
+        for (std::size_t j = 0; j < model.contact[side].size(); ++j) {
             const double chance = model.contact[side][j];
             if (!(chance >= 0.0 && chance <= 1.0)) {
                 return fail(fmt::format(

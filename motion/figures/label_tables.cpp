@@ -292,6 +292,32 @@ Expected<std::vector<CountTime>> parse_counts(std::string_view text, const std::
     return counts;
 }
 
+Expected<std::vector<TakeBeat>> parse_take_beats(std::string_view text, const std::string& name) {
+    constexpr double kLongestTake = 24.0 * 3600.0;  // seconds
+    Table table(text, name);
+    table.require({"take", "time", "half", "used"});
+    std::vector<TakeBeat> beats;
+    std::map<std::string, double> last;
+    while (table.next()) {
+        TakeBeat beat{table.text("take"),
+                      table.number("time", 0.0, kLongestTake),
+                      table.whole("half", 1, 2),
+                      table.whole("used", 0, 1) == 1,
+                      table.line()};
+        const auto found = last.find(beat.take);
+        if (found != last.end() && !(beat.time > found->second)) {
+            table.complain(fmt::format(
+                "time is {}, must be after the beat before ({})", beat.time, found->second));
+        }
+        last[beat.take] = beat.time;
+        beats.push_back(std::move(beat));
+    }
+    if (table.fault()) {
+        return fail(*table.fault());
+    }
+    return beats;
+}
+
 Expected<std::vector<CaptureFault>> parse_faults(std::string_view text, const std::string& name) {
     Table table(text, name);
     table.require({"take", "from", "to", "joints"});
@@ -319,6 +345,9 @@ Expected<std::vector<FigureLabel>> load_labels(const std::filesystem::path& path
 }
 Expected<std::vector<CountTime>> load_counts(const std::filesystem::path& path) {
     return load(path, parse_counts);
+}
+Expected<std::vector<TakeBeat>> load_take_beats(const std::filesystem::path& path) {
+    return load(path, parse_take_beats);
 }
 Expected<std::vector<CaptureFault>> load_faults(const std::filesystem::path& path) {
     return load(path, parse_faults);

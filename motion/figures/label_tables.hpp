@@ -64,6 +64,22 @@ struct CountTime {
 /// The same from a file. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::vector<CountTime>> load_counts(const std::filesystem::path& path);
 
+/// One beat of a take.
+struct TakeBeat {
+    std::string take;       ///< the clip's file name without extension
+    double time = 0.0;      ///< seconds from the clip's first frame
+    int half = 1;           ///< of the bar, 1 or 2
+    bool is_used = true;    ///< the beat that begins here may be danced
+    std::size_t line = 0;   ///< in the file, counted from 1
+};
+
+/// Reads the beats of takes. Columns take, time, half, used (0 or 1). Errors: as for labels; times
+/// of one take that do not rise.
+[[nodiscard]] Expected<std::vector<TakeBeat>> parse_take_beats(std::string_view text,
+                                                               const std::string& name);
+/// The same from a file. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<std::vector<TakeBeat>> load_take_beats(const std::filesystem::path& path);
+
 /// Frames [from, to] of a take that were captured or converted badly.
 struct CaptureFault {
     std::string take;      ///< the clip's file name without extension

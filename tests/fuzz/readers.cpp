@@ -24,6 +24,8 @@ std::span<const Reader> readers() {
         {"labels", read_labels, {}, 2000},
         {"counts", read_counts, {}, 2000},
         {"faults", read_faults, {}, 2000},
+        {"take_beats", read_take_beats, {}, 2000},
+        {"cells", read_cells, {}, 100, Content::bytes},
         {"index", read_index, {}, 2000},
         {"beat_list", read_beat_list, {}, 2000},
         {"playlist", read_playlist, {}, 2000},

@@ -44,6 +44,8 @@ bool read_beats(std::string_view text);         ///< networks; and analyses one 
 bool read_labels(std::string_view text);        ///< of figures in takes
 bool read_counts(std::string_view text);        ///< of figures in takes
 bool read_faults(std::string_view text);        ///< of takes
+bool read_take_beats(std::string_view text);    ///< of takes
+bool read_cells(std::string_view changes);      ///< of a dance of cells; solves and dances it
 bool read_index(std::string_view text);         ///< of a beat corpus
 bool read_beat_list(std::string_view text);     ///< annotated beats
 bool read_playlist(std::string_view text);      ///< in all forms

@@ -6,7 +6,9 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "engine/show/pose_file.hpp"
+#include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
+#include "motion/dancer.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "tests/fuzz/promise.hpp"
@@ -34,14 +36,9 @@ KeptDance keep_dance() {
     return kept;
 }
 
-}  // namespace
-
-// A kept dance is of one machine and one build, so none can lie in a corpus: the bytes say what of
-// a good one is changed, each change by four bytes for its place and one to put there. The hash at
-// its end is made to fit again, else nothing behind it would be tried.
-bool read_kept_dance(std::string_view changes) {
-    static const KeptDance kept = keep_dance();
-    std::string bytes = kept.bytes;
+// The bytes with changes, each by four bytes for its place and one to put there; the hash at the
+// end is made to fit again, else nothing behind it would be tried.
+std::string changed(std::string bytes, std::string_view changes) {
     const std::size_t body = bytes.size() - sizeof(std::uint64_t);
     for (; changes.size() >= 5; changes.remove_prefix(5)) {
         std::uint32_t place = 0;
@@ -50,6 +47,76 @@ bool read_kept_dance(std::string_view changes) {
     }
     const std::uint64_t sum = fast_hash_of(std::string_view(bytes).substr(0, body));
     std::memcpy(bytes.data() + body, &sum, sizeof sum);
+    return bytes;
+}
+
+// A take of 8 beats, and its six cells in a ring.
+std::string small_cells() {
+    const auto text =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_basic_lead.json");
+    motion::CellDance dance;
+    dance.dance = "x";
+    dance.takes.push_back(motion::parse_figure(text.value(), "x.json").value());
+    motion::FigureModel& take = dance.takes.front();
+    for (auto& chances : take.contact) {
+        chances.assign(static_cast<std::size_t>(motion::kContactBinsPerBeat * take.beats), 1.0);
+    }
+    for (motion::PartModel& part : take.parts) {
+        const std::vector<motion::FigureState> states = part.states;
+        part.states.clear();
+        for (std::size_t k = 0; k < static_cast<std::size_t>(motion::kStatesPerBeat * take.beats);
+             ++k) {
+            part.states.push_back(states[k * states.size() / 64]);
+        }
+    }
+    motion::CellGraph& graph = dance.graph;
+    graph.takes.push_back({take.name, take.beats});
+    for (std::uint16_t beat = 1; beat < 7; ++beat) {
+        motion::Cell cell;
+        cell.beat = beat;
+        cell.energy = 0.5F;
+        cell.is_second_half = beat % 2 == 0;
+        graph.cells.push_back(cell);
+        graph.first_arc.push_back(0);
+    }
+    graph.first_arc.push_back(1);
+    graph.arcs.push_back({0, true, 9.0F});
+    return motion::cell_text(dance);
+}
+
+}  // namespace
+
+bool read_cells(std::string_view changes) {
+    static const std::string good = small_cells();
+    const auto dance = motion::parse_cells(changed(good, changes), "x.cells");
+    if (!dance) {
+        must_be_one_line(dance.error().message);
+        return false;
+    }
+    const auto library = motion::DanceLibrary::build(*dance, motion::mannequin_skeleton());
+    if (!library) {
+        must_be_one_line(library.error().message);
+        return false;
+    }
+    motion::Dancer dancer;
+    must(dancer.prepare(*library, motion::mannequin_skeleton(), std::uint64_t{1}).has_value());
+    motion::PoseTrack track;
+    for (HopIndex hop = 0; hop < 400; ++hop) {
+        MusicState state;
+        state.hop = hop;
+        state.time = time_of_hop(hop);
+        state.grid.confidence = 1.0F;
+        state.is_silent = false;
+        dancer.advance(state, track);
+    }
+    return true;
+}
+
+// A kept dance is of one machine and one build, so none can lie in a corpus: the bytes say what of
+// a good one is changed.
+bool read_kept_dance(std::string_view changes) {
+    static const KeptDance kept = keep_dance();
+    std::string bytes = changed(kept.bytes, changes);
     const auto library =
         motion::DanceLibrary::unpack(std::make_shared<const std::string>(std::move(bytes)),
                                      motion::mannequin_skeleton(),

@@ -14,6 +14,10 @@ bool read_labels(std::string_view text) {
 
 bool read_counts(std::string_view text) { return motion::parse_counts(text, "x.tsv").has_value(); }
 
+bool read_take_beats(std::string_view text) {
+    return motion::parse_take_beats(text, "x.tsv").has_value();
+}
+
 bool read_faults(std::string_view text) { return motion::parse_faults(text, "x.tsv").has_value(); }
 
 bool read_index(std::string_view text) {

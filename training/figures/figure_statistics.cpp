@@ -44,9 +44,10 @@ void add_contacts(const std::vector<bool>& contacts,
                   const FigureRepeat& repeat,
                   const PhaseWarp& warp,
                   int beats,
-                  std::array<double, kContactBins>& sums) {
-    for (std::size_t bin = 0; bin < kContactBins; ++bin) {
-        const double phase = (static_cast<double>(bin) + 0.5) * beats / kContactBins;
+                  std::vector<double>& sums) {
+    for (std::size_t bin = 0; bin < sums.size(); ++bin) {
+        const double phase =
+            (static_cast<double>(bin) + 0.5) * beats / static_cast<double>(sums.size());
         const std::size_t frame = static_cast<std::size_t>(std::lround(warp.frame_at(phase)));
         sums[bin] += contacts[std::min(frame, contacts.size() - 1)] ? repeat.weight : 0.0;
     }
@@ -128,7 +129,7 @@ void learn_feet(std::span<const TrainingClip> clips,
     }
     for (std::size_t s = 0; s < 2; ++s) {
         std::vector<std::vector<double>> offsets(static_cast<std::size_t>(model.beats));
-        model.contact[s].fill(0.0);
+        std::fill(model.contact[s].begin(), model.contact[s].end(), 0.0);
         // Contacts are weighted; landings are not, because their summary is a median.
         for (const FigureRepeat& repeat : repeats) {
             const PhaseWarp warp(repeat.beat_frames);

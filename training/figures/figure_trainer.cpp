@@ -27,7 +27,8 @@ Expected<void> check_options(const FigureTrainingOptions& options) {
         {"states",
          static_cast<double>(options.states),
          1,
-         std::min(256.0, static_cast<double>(options.beats) * options.samples_per_beat)},
+         std::min(512.0, static_cast<double>(options.beats) * options.samples_per_beat)},
+        {"contact_bins", static_cast<double>(options.contact_bins), 1, 64.0 * options.beats},
         {"baum_welch_iterations", static_cast<double>(options.baum_welch_iterations), 0, 1000},
         {"covariance_floor", options.covariance_floor, 1e-6, 1e3},
         {"low_pass_hz", options.low_pass_hz, 0.5, 1e4}};
@@ -251,6 +252,9 @@ Expected<FigureTrainingResult> train_figure(std::span<const TrainingClip> clips,
     model.beats = options.beats;
     model.samples_per_beat = options.samples_per_beat;
     model.repeats = static_cast<int>(repeats.size());
+    for (std::vector<double>& chances : model.contact) {
+        chances.resize(options.contact_bins);
+    }
 
     model.features = options.features;
     model.source_hips_height = mean_hips_height(clips, repeats);

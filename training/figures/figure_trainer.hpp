@@ -56,6 +56,7 @@ struct FigureTrainingOptions {
     CovarianceKind covariance = CovarianceKind::tied;  ///< one for all states, or one each
     StatesStart start = StatesStart::flat;             ///< where the states lie before Baum-Welch
     double low_pass_hz = 10.0;  ///< cut-off applied to the captured motion first; Hz
+    std::size_t contact_bins = kContactBins;  ///< over the figure, 1 to 64 a beat
     /// By Part: joints learnt besides the default ones.
     std::array<std::vector<Bone>, 3> more_joints;
 

@@ -134,15 +134,15 @@ std::vector<ContactWindow> with_steps(std::vector<ContactWindow> windows,
 
 }  // namespace
 
-std::vector<ContactWindow> contact_windows(const std::array<double, kContactBins>& chance,
+std::vector<ContactWindow> contact_windows(std::span<const double> chance,
                                            int beats,
                                            std::size_t samples) {
-    const double bins_per_beat = static_cast<double>(kContactBins) / beats;
+    const double bins_per_beat = static_cast<double>(chance.size()) / beats;
     const std::vector<double> smooth = smoothed(std::vector<double>(chance.begin(), chance.end()),
                                                 kSmoothingBeats * bins_per_beat);
     std::vector<bool> row(samples);
     for (std::size_t i = 0; i < samples; ++i) {
-        row[i] = smooth[i * kContactBins / samples] > kContactProbability;
+        row[i] = smooth[i * smooth.size() / samples] > kContactProbability;
     }
     const double samples_per_beat = static_cast<double>(samples) / beats;
     // Gaps first: two halves of one contact must not be dropped each for being short.

@@ -1,8 +1,8 @@
 // Contact windows: when each foot of a closed figure stands on the floor.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "motion/figures/figure_model.hpp"
@@ -23,7 +23,7 @@ struct ContactWindow {
 /// closed and contacts below a third of a beat dropped. `samples`: of the whole figure. Threads:
 /// workers. Real-time: no.
 [[nodiscard]] std::vector<ContactWindow> contact_windows(
-    const std::array<double, kContactBins>& chance, int beats, std::size_t samples);
+    std::span<const double> chance, int beats, std::size_t samples);
 
 /// Moves the start of each contact to the learnt landing nearest to it (less than kLandingReach
 /// beats away, from three repeats or more), so that the foot comes to rest when people's feet did;

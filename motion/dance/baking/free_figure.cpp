@@ -49,7 +49,7 @@ double rate_of(const FigureModel& model) {
 double peak_toe_speed(const FigureModel& model,
                       const FigureTracks& tracks,
                       const Skeleton& skeleton) {
-    const FigurePath way{0, {0.0, model.net_displacement}};
+    const FigurePath way{.move = {0.0, model.net_displacement}};
     const std::vector<Pose> poses = free_poses(model, tracks, way, skeleton);
     const double samples_per_beat = static_cast<double>(model.samples_per_beat) * kFiner;
     const FeetByFrame feet = feet_of(poses, skeleton);
@@ -77,7 +77,7 @@ std::vector<Pose> free_poses(const FigureModel& model,
     for (std::size_t part = 0; part < fine.size(); ++part) {
         fine[part] = upsampled(tracks[part], kFiner);
     }
-    const NetMotion net{way.move.offset / scale, M_PI * way.half_turns};
+    const NetMotion net{way.move.offset / scale, way.turn};
     const FeatureTrack& root = root_of(model, fine);
     std::vector<RootPlace> places = integrate_root(root, samples_per_beat, {}, scale, net);
     const auto rows = static_cast<std::ptrdiff_t>(root.rows());

@@ -17,7 +17,8 @@ namespace raks::motion {
 /// Where a figure leads on the floor, in the frame of its start (hips at the origin, heading 0). A
 /// dance closes when its figures either come back or end half a turn about one common point.
 struct FigurePath {
-    int half_turns = 0;  ///< of the hips over the figure
+    int half_turns = 0;  ///< of the hips over the figure; of a take 0
+    double turn = 0.0;   ///< of the hips over the figure, radians
     FloorMove move;      ///< from its start to its end; identity, or half a turn
     /// Added to the learnt way, most in the middle of the figure, zero at both ends; left, forward;
     /// metres.

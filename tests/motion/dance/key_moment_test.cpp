@@ -18,14 +18,14 @@ const DanceContent& salsa() {
     return content;
 }
 
-FigureSequence begun() {
-    FigureSequence sequence;
+DanceSequence begun() {
+    DanceSequence sequence;
     sequence.start(salsa(), salsa().stage, DancerPart{}, false);
     return sequence;
 }
 
 TEST(KeyMoment, is_one_in_which_both_feet_stand_where_there_is_one) {
-    const FigureSequence sequence = begun();
+    const DanceSequence sequence = begun();
     for (double from = 0.5; from < 6.0; from += 0.25) {
         const Beats to(from + 1.0);
         const Beats key = key_moment(sequence, Beats(from), to);
@@ -42,7 +42,7 @@ TEST(KeyMoment, is_one_in_which_both_feet_stand_where_there_is_one) {
 }
 
 TEST(StandsUntil, ends_where_a_foot_leaves_the_floor) {
-    const FigureSequence sequence = begun();
+    const DanceSequence sequence = begun();
     for (double from = 0.0; from < 5.0; from += 0.3) {
         const Beats until = stands_until(sequence, Beats(from), Beats(from + 2.0));
         for (double at = from; at <= until.count(); at += 0.2) {

@@ -1,0 +1,96 @@
+// `raks train take`: whole takes with labelled beats, to the dancer who dances them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "base/file.hpp"
+#include "base/pending_file.hpp"
+#include "tests/end_to_end/program_fixture.hpp"
+
+namespace raks::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TrainTake : public ProgramTest {
+ protected:
+    void SetUp() override {
+        // Twenty seconds: two of them, ten times.
+        std::string text = *read_text_file(
+            fs::path(RAKS_SOURCE_DIR) / "tests/data/bvh/dance/own_dance.bvh", 1'000'000);
+        const std::string frames = text.substr(text.find('\n', text.find("Frame Time:")) + 1);
+        for (int i = 1; i < 10; ++i) {
+            text += frames;
+        }
+        text.replace(text.find("Frames: 60"), 10, "Frames: 600");
+        ASSERT_TRUE(write_file(folder_ / "mine.bvh", text));
+        write_table(1);
+    }
+    /// A beat each half second; `used` of all.
+    void write_table(int used) const {
+        std::string table = "take\ttime\thalf\tused\n";
+        for (int beat = 0; beat < 39; ++beat) {
+            table += fmt::format("mine\t{}\t{}\t{}\n", 0.25 + 0.5 * beat, 1 + beat % 2, used);
+        }
+        ASSERT_TRUE(write_file(folder_ / "beats.tsv", table));
+    }
+    [[nodiscard]] ProcessResult train() const {
+        return run({"train",
+                    "take",
+                    path("mine.bvh"),
+                    "--counts",
+                    path("beats.tsv"),
+                    "--licence",
+                    "by nobody",
+                    "-o",
+                    "mine"});
+    }
+};
+
+TEST_F(TrainTake, a_take_is_danced_by_its_name) {
+    const ProcessResult trained = train();
+    ASSERT_EQ(trained.exit_code, 0) << trained.err;
+    EXPECT_NE(trained.err.find("mine: 36 of 39 beats are danced"), std::string::npos)
+        << trained.err;
+    const ProcessResult listed = run({"dances"});
+    EXPECT_NE(listed.out.find("takes: mine_0"), std::string::npos) << listed.out;
+    EXPECT_NE(listed.out.find("by nobody"), std::string::npos) << listed.out;
+    write_clicks("song.wav", 8.0);
+    const ProcessResult danced =
+        run({"dance", path("song.wav"), "--dance", "mine", "-o", path("x.bvh")});
+    EXPECT_EQ(danced.exit_code, 0) << danced.err;
+    EXPECT_TRUE(fs::exists(path("x.bvh")));
+}
+
+TEST_F(TrainTake, what_takes_do_not_have_is_refused_in_one_line) {
+    ASSERT_EQ(train().exit_code, 0);
+    write_clicks("song.wav", 2.0);
+    const std::vector<std::string> dance = {
+        "dance", path("song.wav"), "--dance", "mine", "-o", path("x.bvh")};
+    auto couple = dance;
+    couple.insert(couple.end(), {"--formation", "couple"});
+    expect_one_line(couple, 1, "mine is danced alone");
+    auto frames = dance;
+    frames.insert(frames.end(), {"--generator", "frames"});
+    expect_one_line(frames, 1, "mine is a dance of whole takes");
+}
+
+TEST_F(TrainTake, tables_that_make_no_dance_are_refused_in_one_line) {
+    write_table(0);
+    const ProcessResult unused = train();
+    EXPECT_EQ(unused.exit_code, 1);
+    EXPECT_NE(unused.err.find("no beat of the takes can be danced"), std::string::npos)
+        << unused.err;
+    ASSERT_TRUE(write_file(folder_ / "beats.tsv",
+                           "take\ttime\thalf\tused\nother\t0.5\t1\t1\nother\t1\t2\t1\n"));
+    EXPECT_NE(train().err.find("other: is not among the clips"), std::string::npos);
+    ASSERT_TRUE(write_file(folder_ / "beats.tsv",
+                           "take\ttime\thalf\tused\nmine\t2\t1\t1\nmine\t1\t2\t1\n"));
+    EXPECT_NE(train().err.find("line 3: time is 1, must be after the beat before (2)"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace raks::test

@@ -1,0 +1,95 @@
+#include "training/cells/cell_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "base/random.hpp"
+
+namespace raks::motion {
+namespace {
+
+/// A body whose hands are so far out, at rest; metres.
+TakeMoment with_hands_at(double x) {
+    TakeMoment moment;
+    for (glm::dvec3& place : moment.places) {
+        place = {0.0, 1.0, 0.0};
+    }
+    moment.places[7] = {x, 1.0, 0.0};
+    moment.places[8] = {-x, 1.0, 0.0};
+    return moment;
+}
+
+/// A take whose hands are at these places at its beats.
+std::vector<CellSource> take_of(std::uint16_t number, const std::vector<double>& hands) {
+    std::vector<CellSource> cells;
+    for (std::size_t i = 0; i + 1 < hands.size(); ++i) {
+        CellSource source;
+        source.cell.take = number;
+        source.cell.beat = static_cast<std::uint16_t>(i + 1);
+        source.cell.is_second_half = i % 2 == 1;
+        source.start = with_hands_at(hands[i]);
+        source.end = with_hands_at(hands[i + 1]);
+        cells.push_back(source);
+    }
+    return cells;
+}
+
+TEST(TakeMoments, mirrored_twice_are_the_same) {
+    TakeMoment moment = with_hands_at(0.4);
+    moment.places[7].y = 1.5;
+    moment.hips_velocity = {0.3, 0.7};
+    moment.turning = 0.5;
+    moment.is_planted = {true, false};
+    EXPECT_NEAR(distance(mirrored(mirrored(moment)), moment), 0.0, 1e-9);
+    EXPECT_GT(distance(mirrored(moment), moment), 1.0);
+}
+
+TEST(TakeMoments, are_as_far_apart_as_their_joints) {
+    // Two of fifteen joints, 30 cm: sqrt(2 x 30^2 / 15).
+    EXPECT_NEAR(distance(with_hands_at(0.1), with_hands_at(0.4)), 10.95, 0.01);
+}
+
+TEST(CellArcs, a_planted_loop_is_found) {
+    // The fourth beat ends as the first begins.
+    const CellArcs joined = join_cells(take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0}));
+    EXPECT_EQ(joined.graph.cells.size(), 4U);
+    EXPECT_EQ(joined.left_out, 0U);
+    const auto arcs = joined.graph.arcs_of(3);
+    ASSERT_FALSE(arcs.empty());
+    EXPECT_EQ(arcs[0].to, 0U);
+    EXPECT_FALSE(joined.graph.has_successor(3));
+    EXPECT_TRUE(joined.graph.has_successor(0));
+}
+
+TEST(CellArcs, what_is_reached_from_nothing_is_left_out) {
+    auto cells = take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0});
+    const auto other = take_of(1, {9.0, 10.0, 11.0, 12.0, 0.0});
+    cells.insert(cells.end(), other.begin(), other.end());
+    const CellArcs joined = join_cells(cells);
+    EXPECT_EQ(joined.graph.cells.size(), 4U);
+    EXPECT_EQ(joined.left_out, 4U);
+    EXPECT_NEAR(joined.connected, 0.5, 1e-12);
+}
+
+TEST(CellArcs, lead_from_one_half_of_the_bar_to_the_other) {
+    std::vector<double> hands;
+    const CounterRandom random(5);
+    for (std::uint64_t i = 0; i < 60; ++i) {
+        hands.push_back(random.uniform(i));
+    }
+    const CellGraph graph = join_cells(take_of(0, hands)).graph;
+    EXPECT_GT(graph.arcs.size(), 50U);
+    for (std::size_t cell = 0; cell < graph.cells.size(); ++cell) {
+        for (const CellArc& arc : graph.arcs_of(cell)) {
+            EXPECT_NE(graph.cells[arc.to].is_second_half, graph.cells[cell].is_second_half);
+        }
+    }
+}
+
+TEST(CellArcs, one_cell_makes_no_dance) {
+    EXPECT_FALSE(validate(join_cells(take_of(0, {0.0, 1.0})).graph));
+}
+
+}  // namespace
+}  // namespace raks::motion
