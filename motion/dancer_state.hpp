@@ -6,6 +6,7 @@
 
 #include "base/timed_commands.hpp"
 #include "motion/dance/beat_phase.hpp"
+#include "motion/dance/dance_sequence.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
 #include "motion/dance/dynamics/hits.hpp"
 #include "motion/dance/dynamics/looks.hpp"
@@ -15,7 +16,6 @@
 #include "motion/dance/dynamics/stillness.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/standing.hpp"
-#include "motion/dance/dance_sequence.hpp"
 #include "motion/dancer.hpp"
 #include "motion/library_content.hpp"
 #include "motion/repertoire.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/raks_train/train_commands.hpp"
 #include "apps/raks_train/destination.hpp"
+#include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/dance_list.hpp"
 #include "training/cells/cell_training.hpp"

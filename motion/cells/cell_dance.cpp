@@ -47,11 +47,12 @@ void sort_energies(CellGraph& graph) {
 }
 
 Expected<void> validate(const CellGraph& graph) {
-    if (graph.cells.empty() || graph.cells.size() > 65535 || graph.takes.empty()) {
+    if (graph.cells.empty() || graph.cells.size() > kMostCells || graph.takes.empty()) {
         return fail(
-            fmt::format("there are {} cells of {} takes, must be 1 to 65535 of at least one",
+            fmt::format("there are {} cells of {} takes, must be 1 to {} of at least one take",
                         graph.cells.size(),
-                        graph.takes.size()));
+                        graph.takes.size(),
+                        kMostCells));
     }
     if (graph.first_arc.size() != graph.cells.size() + 1 || graph.first_arc.front() != 0 ||
         graph.first_arc.back() != graph.arcs.size() ||

@@ -18,6 +18,9 @@
 /// walk along arcs is a dance that nobody has danced, of moments that somebody has.
 namespace raks::motion {
 
+/// Most cells of a dance: for each the dancer remembers when it was danced last.
+inline constexpr std::size_t kMostCells = 2048;
+
 /// One beat of a take. Its mirror image is a cell, too, and is not listed.
 struct Cell {
     std::uint16_t take = 0;       ///< index in CellGraph::takes

@@ -177,7 +177,7 @@ FigureModel take_take(const CellDance& dance, Unpacker& unpacker) {
     take.source_hips_height = unpacker.take<double>();
     take.peak_toe_speed = unpacker.take<double>();
     for (auto& chances : take.contact) {
-        chances.resize(static_cast<std::size_t>(kContactBinsPerBeat * take.beats));
+        chances.resize(std::size_t{kContactBinsPerBeat} * static_cast<std::size_t>(take.beats));
         for (double& chance : chances) {
             chance = unpacker.take<std::uint8_t>() != 0 ? 1.0 : 0.0;
         }
@@ -242,7 +242,8 @@ CellGraph take_graph(const std::vector<FigureModel>& takes, Unpacker& unpacker) 
         arc.to = unpacker.take<std::uint16_t>();
         const auto packed = unpacker.take<std::uint16_t>();
         arc.is_mirrored = (packed & 1U) != 0;
-        arc.distance = static_cast<float>(packed / 2U) * 0.1F;
+        const std::uint32_t millimetres = packed / 2U;
+        arc.distance = static_cast<float>(millimetres) * 0.1F;
         graph.arcs.push_back(arc);
     }
     return graph;

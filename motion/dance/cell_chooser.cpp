@@ -178,8 +178,10 @@ void CellChooser::take(const CellGraph& graph,
     const double side = step.is_mirrored ? -1.0 : 1.0;
     if (step.is_joined) {
         const auto arcs = graph.arcs_of(future.last.cell);
-        const auto arc = std::find_if(
-            arcs.begin(), arcs.end(), [&](const CellArc& each) { return each.to == step.cell; });
+        const auto arc = std::find_if(arcs.begin(), arcs.end(), [&](const CellArc& each) {
+            return each.to == step.cell &&
+                   each.is_mirrored == (future.last.is_mirrored != step.is_mirrored);
+        });
         const double apart = static_cast<double>(arc->distance) / kJoinDistance;
         future.cost += kJoinCost + apart * apart;
     }

@@ -11,9 +11,6 @@
 
 namespace raks::motion {
 
-/// Most cells of a dance.
-inline constexpr std::size_t kMostCells = 2048;
-
 /// One beat of a dance of cells.
 struct CellStep {
     std::uint16_t cell = 0;    ///< index in CellGraph::cells

@@ -183,7 +183,8 @@ Pose CellSequence::at(Beats phase) const noexcept RAKS_NONBLOCKING {
 
 void CellSequence::jump(Beats phase) noexcept RAKS_NONBLOCKING {
     Piece piece = present();
-    const double beats = std::floor(phase_ - piece.from);
+    // In the last cell that is decided, where the phase has run ahead of what is.
+    const double beats = std::min(std::floor(phase_ - piece.from), piece.until - piece.from - 1.0);
     const double part = phase.count() - std::floor(phase.count());
     piece.first_cell = static_cast<std::uint16_t>(piece.first_cell + std::max(0.0, beats));
     piece.from = phase.count() - part;

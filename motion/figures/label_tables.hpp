@@ -66,11 +66,11 @@ struct CountTime {
 
 /// One beat of a take.
 struct TakeBeat {
-    std::string take;       ///< the clip's file name without extension
-    double time = 0.0;      ///< seconds from the clip's first frame
-    int half = 1;           ///< of the bar, 1 or 2
-    bool is_used = true;    ///< the beat that begins here may be danced
-    std::size_t line = 0;   ///< in the file, counted from 1
+    std::string take;      ///< the clip's file name without extension
+    double time = 0.0;     ///< seconds from the clip's first frame
+    int half = 1;          ///< of the bar, 1 or 2
+    bool is_used = true;   ///< the beat that begins here may be danced
+    std::size_t line = 0;  ///< in the file, counted from 1
 };
 
 /// Reads the beats of takes. Columns take, time, half, used (0 or 1). Errors: as for labels; times

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 namespace raks::motion {
 namespace {
@@ -20,6 +19,39 @@ bool follows(const Cell& from, const Cell& to) noexcept {
     return from.take == to.take && from.beat + 1 == to.beat;
 }
 
+// The arcs of one cell, the nearest first. `images`: the starts of all cells, mirrored.
+std::vector<CellArc> arcs_from(std::size_t from,
+                               std::span<const CellSource> cells,
+                               std::span<const TakeMoment> images,
+                               const ArcOptions& options) {
+    const Cell& own = cells[from].cell;
+    std::vector<CellArc> arcs;
+    for (std::size_t to = 0; to < cells.size(); ++to) {
+        const Cell& next = cells[to].cell;
+        if (from == to || is_near(own, next) || next.is_second_half == own.is_second_half) {
+            continue;
+        }
+        const auto number = static_cast<std::uint16_t>(to);
+        for (const auto& [start, is_mirrored] :
+             {std::pair(&cells[to].start, false), std::pair(&images[to], true)}) {
+            arcs.push_back(
+                {number, is_mirrored, static_cast<float>(distance(cells[from].end, *start))});
+        }
+    }
+    std::stable_sort(arcs.begin(), arcs.end(), [](const CellArc& a, const CellArc& b) {
+        return a.distance < b.distance;
+    });
+    const bool has_successor = from + 1 < cells.size() && follows(own, cells[from + 1].cell);
+    const auto far = std::find_if(arcs.begin(), arcs.end(), [&](const CellArc& arc) {
+        return static_cast<double>(arc.distance) >= options.farthest;
+    });
+    // Where nothing else follows, the nearest one does, whatever its distance.
+    const auto least = has_successor ? 0 : std::min<std::ptrdiff_t>(1, std::ssize(arcs));
+    const auto near = std::max<std::ptrdiff_t>(far - arcs.begin(), least);
+    arcs.resize(std::min(static_cast<std::size_t>(near), options.most_arcs));
+    return arcs;
+}
+
 ArcLists arcs_of(std::span<const CellSource> cells, const ArcOptions& options) {
     std::vector<TakeMoment> images;
     for (const CellSource& cell : cells) {
@@ -27,34 +59,7 @@ ArcLists arcs_of(std::span<const CellSource> cells, const ArcOptions& options) {
     }
     ArcLists lists(cells.size());
     for (std::size_t from = 0; from < cells.size(); ++from) {
-        CellArc nearest{0, false, std::numeric_limits<float>::infinity()};
-        std::vector<CellArc>& arcs = lists[from];
-        for (std::size_t to = 0; to < cells.size(); ++to) {
-            const Cell& next = cells[to].cell;
-            if (is_near(cells[from].cell, next) || from == to ||
-                next.is_second_half == cells[from].cell.is_second_half) {
-                continue;
-            }
-            for (const bool is_mirrored : {false, true}) {
-                const double apart =
-                    distance(cells[from].end, is_mirrored ? images[to] : cells[to].start);
-                const CellArc arc{
-                    static_cast<std::uint16_t>(to), is_mirrored, static_cast<float>(apart)};
-                nearest = arc.distance < nearest.distance ? arc : nearest;
-                if (apart < options.farthest) {
-                    arcs.push_back(arc);
-                }
-            }
-        }
-        const bool has_successor =
-            from + 1 < cells.size() && follows(cells[from].cell, cells[from + 1].cell);
-        if (arcs.empty() && !has_successor && nearest.distance < 1e6F) {
-            arcs.push_back(nearest);
-        }
-        std::stable_sort(arcs.begin(), arcs.end(), [](const CellArc& a, const CellArc& b) {
-            return a.distance < b.distance;
-        });
-        arcs.resize(std::min(arcs.size(), options.most_arcs));
+        lists[from] = arcs_from(from, cells, images, options);
     }
     return lists;
 }

@@ -161,7 +161,12 @@ Expected<FigureModel> learn_stretch(const PreparedTake& take,
                                     const CellTrainingPlan& plan) {
     FigureRepeat repeat;
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
-        repeat.beat_frames.push_back(own.beats[i].time * take.clip.frames_per_second);
+        double frame = own.beats[i].time * take.clip.frames_per_second;
+        // A beat that only gives the motion behind the last one may end with the clip.
+        if (i == stretch.last && !own.beats[i].is_used) {
+            frame = std::min(frame, static_cast<double>(take.clip.poses.size() - 1));
+        }
+        repeat.beat_frames.push_back(frame);
     }
     FigureTrainingOptions options;
     options.name = fmt::format("{}_{:.0f}", own.take, own.beats[stretch.first].time);
@@ -170,7 +175,8 @@ Expected<FigureModel> learn_stretch(const PreparedTake& take,
     options.beats = static_cast<int>(stretch.last - stretch.first);
     options.samples_per_beat = kCellSamples;
     options.states = kStatesPerBeat * options.beats;
-    options.contact_bins = static_cast<std::size_t>(kContactBinsPerBeat * options.beats);
+    options.contact_bins =
+        std::size_t{kContactBinsPerBeat} * static_cast<std::size_t>(options.beats);
     options.low_pass_hz = kLowPassHz;
     auto learnt = train_figure(std::span(&take.clip, 1), std::span(&repeat, 1), options);
     if (!learnt) {

@@ -55,7 +55,7 @@ struct FigureTrainingOptions {
     double covariance_floor = 0.1;                     ///< as in StateLearning
     CovarianceKind covariance = CovarianceKind::tied;  ///< one for all states, or one each
     StatesStart start = StatesStart::flat;             ///< where the states lie before Baum-Welch
-    double low_pass_hz = 10.0;  ///< cut-off applied to the captured motion first; Hz
+    double low_pass_hz = 10.0;                ///< cut-off applied to the captured motion first; Hz
     std::size_t contact_bins = kContactBins;  ///< over the figure, 1 to 64 a beat
     /// By Part: joints learnt besides the default ones.
     std::array<std::vector<Bone>, 3> more_joints;

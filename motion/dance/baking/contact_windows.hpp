@@ -22,8 +22,9 @@ struct ContactWindow {
 /// probability is smoothed over the phase and thresholded, then gaps below a quarter of a beat are
 /// closed and contacts below a third of a beat dropped. `samples`: of the whole figure. Threads:
 /// workers. Real-time: no.
-[[nodiscard]] std::vector<ContactWindow> contact_windows(
-    std::span<const double> chance, int beats, std::size_t samples);
+[[nodiscard]] std::vector<ContactWindow> contact_windows(std::span<const double> chance,
+                                                         int beats,
+                                                         std::size_t samples);
 
 /// Moves the start of each contact to the learnt landing nearest to it (less than kLandingReach
 /// beats away, from three repeats or more), so that the foot comes to rest when people's feet did;

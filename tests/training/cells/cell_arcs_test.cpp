@@ -87,6 +87,26 @@ TEST(CellArcs, lead_from_one_half_of_the_bar_to_the_other) {
     }
 }
 
+TEST(CellArcs, more_cells_than_a_dancer_remembers_are_refused) {
+    CellGraph graph;
+    graph.takes.push_back({"long", 60'000});
+    for (std::size_t beat = 0; beat <= kMostCells; ++beat) {
+        Cell cell;
+        cell.beat = static_cast<std::uint16_t>(beat);
+        graph.cells.push_back(cell);
+        graph.first_arc.push_back(0);
+    }
+    graph.first_arc.push_back(1);
+    graph.arcs.push_back({});
+    const auto refused = validate(graph);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "there are 2049 cells of 1 takes, must be 1 to 2048 of at least one take");
+    graph.cells.pop_back();
+    graph.first_arc.erase(graph.first_arc.begin());
+    EXPECT_TRUE(validate(graph));
+}
+
 TEST(CellArcs, one_cell_makes_no_dance) {
     EXPECT_FALSE(validate(join_cells(take_of(0, {0.0, 1.0})).graph));
 }
