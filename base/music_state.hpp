@@ -113,6 +113,10 @@ struct Foresight {
     float energy = 0.5F;
     /// The events that come next, the nearer one first; kind none: no more.
     std::array<MusicEvent, 2> events{};
+    int bar = -1;  ///< number of the bar that sounds, from the first one at `begins`; -1: before it
+    /// Of this bar and of the next three: the number of the earliest bar that it repeats, as a part
+    /// of the song that comes again; -1: it is new.
+    std::array<std::int16_t, 4> repeats{-1, -1, -1, -1};
     friend bool operator==(const Foresight&, const Foresight&) = default;
 };
 

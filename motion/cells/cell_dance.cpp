@@ -23,6 +23,12 @@ Expected<void> check_cell(const CellGraph& graph, std::size_t i) {
                 fmt::format("cells[{}] has a value of {}, must lie within +-{}", i, value, kMost));
         }
     }
+    for (const float landing : cell.landings) {
+        if (landing != Cell::kNoLanding && !is_sound(landing, 0.5F)) {
+            return fail(fmt::format(
+                "cells[{}] has a landing at {} beats, must lie within +-0.5 or be 2", i, landing));
+        }
+    }
     if (i > 0 && std::pair(graph.cells[i - 1].take, graph.cells[i - 1].beat) >=
                      std::pair(cell.take, cell.beat)) {
         return fail(fmt::format("cells[{}] does not come after the cell before it", i));

@@ -29,7 +29,13 @@ struct Cell {
     float turn = 0.0F;            ///< of the hips over the cell, radians; positive to the left
     glm::vec2 way{};              ///< of the hips, left and forward of where it starts; metres
     float speed_at_end = 0.0F;    ///< of the joints about the hips as it ends, metres a second
+    /// By Side: when the foot lands next to the cell's first beat, in beats from it; [-0.5, 0.5).
+    std::array<float, 2> landings{kNoLanding, kNoLanding};
     bool is_second_half = false;  ///< of the bar
+    bool stands_at_end = false;   ///< on both feet
+
+    /// Of a foot that does not land.
+    static constexpr float kNoLanding = 2.0F;
 };
 
 /// A change from one cell to another. Between their mirror images it holds as well.

@@ -16,7 +16,7 @@ namespace raks::motion {
 namespace {
 
 constexpr std::string_view kMagic = "raks-cells\n";
-constexpr std::uint16_t kVersion = 1;
+constexpr std::uint16_t kVersion = 2;
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::uint32_t kMostTakes = 1000;
 
@@ -204,7 +204,9 @@ void put_graph(const CellGraph& graph, Packer& packer) {
         packer.put(cell.beat);
         packer.put(std::array<float, 5>{
             cell.energy, cell.turn, cell.way.x, cell.way.y, cell.speed_at_end});
-        packer.put(static_cast<std::uint8_t>(cell.is_second_half ? 1 : 0));
+        packer.put(cell.landings);
+        packer.put(static_cast<std::uint8_t>((cell.is_second_half ? 1U : 0U) |
+                                             (cell.stands_at_end ? 2U : 0U)));
     }
     packer.put_list(graph.first_arc);
     for (const CellArc& arc : graph.arcs) {
@@ -232,7 +234,10 @@ CellGraph take_graph(const std::vector<FigureModel>& takes, Unpacker& unpacker) 
         cell.turn = values[1];
         cell.way = {values[2], values[3]};
         cell.speed_at_end = values[4];
-        cell.is_second_half = unpacker.take<std::uint8_t>() != 0;
+        cell.landings = unpacker.take<std::array<float, 2>>();
+        const auto flags = unpacker.take<std::uint8_t>();
+        cell.is_second_half = (flags & 1U) != 0;
+        cell.stands_at_end = (flags & 2U) != 0;
         graph.cells.push_back(cell);
     }
     graph.first_arc = unpacker.take_list<std::vector<std::uint32_t>>();
