@@ -16,9 +16,9 @@
 namespace raks::motion {
 namespace {
 
-// A cell lasts as long as a beat of music that is danced to: 77 to 167 BPM.
-constexpr double kShortestCell = 0.36;
-constexpr double kLongestCell = 0.78;
+// A cell lasts as long as a beat of music that is danced to: 67 to 188 BPM.
+constexpr double kShortestCell = 0.32;
+constexpr double kLongestCell = 0.90;
 // Mean speed of the joints about the hips, metres a second, under which nobody dances.
 constexpr double kIdleSpeed = 0.12;
 // Beats of one stretch: what a figure may have.
