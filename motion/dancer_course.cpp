@@ -49,7 +49,8 @@ DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
     }
     switch (repertoire->otherwise()) {
         case Repertoire::Fallback::first:
-            return repertoire->first();
+            return repertoire->nearest(
+                grid.tempo, grid.beats_per_bar, is_dancing ? genre : DanceId::none);
         case Repertoire::Fallback::keep:
             return genre;
         case Repertoire::Fallback::stand:

@@ -44,6 +44,10 @@ Expected<void> check_dances(const Settings& settings, const DanceList& dances) {
     if (auto checked = check_name(settings.dance, dances, {kAuto}); !checked) {
         return checked;
     }
+    // The default is a shipped dance; where somebody's dances are used alone, it is not missed.
+    if (settings.fallback_dance == Settings().fallback_dance) {
+        return {};
+    }
     return check_name(settings.fallback_dance, dances, {kFirst, kKeep, kStand});
 }
 
@@ -67,8 +71,10 @@ std::string dance_to_load(const Settings& settings, const DanceList& dances) {
     if (settings.dance != kAuto) {
         return settings.dance;
     }
-    const bool is_dance = dances.id_of(settings.fallback_dance) != DanceId::none;
-    return is_dance ? settings.fallback_dance : dances.all().front().name;
+    const DanceInfo* const fallback = dances.find(dances.id_of(settings.fallback_dance));
+    const bool is_couple = form_of(settings).company == Company::couple;
+    return fallback != nullptr && (!is_couple || fallback->roles == 2) ? settings.fallback_dance
+                                                                       : dances.all().front().name;
 }
 
 std::vector<std::string> other_dances_to_load(const Settings& settings, const DanceList& dances) {

@@ -83,6 +83,15 @@ struct DanceLoader {
         return libraries;
     }
 
+    [[nodiscard]] motion::DanceTempo tempo_of(const std::string& dance) const {
+        const DanceInfo* const info = catalogue.list()->find(catalogue.list()->id_of(dance));
+        return info != nullptr ? motion::DanceTempo{info->lowest,
+                                                    info->highest,
+                                                    info->likely,
+                                                    info->beats_per_bar}
+                               : motion::DanceTempo{};
+    }
+
     // Gives each part a repertoire with the dance that a show begins with.
     [[nodiscard]] Expected<void> begin(const Settings& settings) {
         const std::string dance = dance_to_load(settings, *catalogue.list());
@@ -91,8 +100,10 @@ struct DanceLoader {
             return fail(std::move(libraries.error()));
         }
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            parts[i].repertoire = std::make_shared<Repertoire>(
-                catalogue.list()->id_of(dance), std::move((*libraries)[i]), fallback_of(settings));
+            parts[i].repertoire = std::make_shared<Repertoire>(catalogue.list()->id_of(dance),
+                                                               std::move((*libraries)[i]),
+                                                               fallback_of(settings),
+                                                               tempo_of(dance));
         }
         return {};
     }
@@ -107,7 +118,7 @@ struct DanceLoader {
         }
         const DanceId id = catalogue.list()->id_of(dance);
         for (std::size_t i = parts.size(); i-- > 0;) {
-            parts[i].repertoire->add(id, std::move((*libraries)[i]));
+            parts[i].repertoire->add(id, std::move((*libraries)[i]), tempo_of(dance));
         }
         return {};
     }

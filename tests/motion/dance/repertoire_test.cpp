@@ -189,6 +189,36 @@ TEST(Repertoire, a_dance_added_later_is_danced_from_then_on) {
     EXPECT_EQ(danced.back().status.dance, shipped::belly);
 }
 
+TEST(Repertoire, unknown_music_far_from_the_first_dance_gets_the_nearest) {
+    const auto library = test::library_of(test::basic_step());
+    Repertoire repertoire(DanceId{4},
+                          library,
+                          Repertoire::Fallback::first,
+                          {.lowest = Bpm(88.0), .highest = Bpm(157.0), .likely = Bpm(118.0)});
+    repertoire.add(
+        DanceId{0}, library, {.lowest = Bpm(160.0), .highest = Bpm(220.0), .likely = Bpm(184.0)});
+    repertoire.add(
+        DanceId{2}, library, {.lowest = Bpm(70.0), .highest = Bpm(115.0), .likely = Bpm(92.0)});
+    repertoire.add(
+        DanceId{3},
+        library,
+        {.lowest = Bpm(80.0), .highest = Bpm(200.0), .likely = Bpm(160.0), .beats_per_bar = 3});
+    const auto nearest = [&](double bpm, DanceId present = DanceId::none, int beats = 4) {
+        return repertoire.nearest(Bpm(bpm), beats, present);
+    };
+    EXPECT_EQ(nearest(120.0), DanceId{4});
+    EXPECT_EQ(nearest(70.0), DanceId{4}) << "twice as fast it lies in the range";
+    EXPECT_EQ(nearest(180.0), DanceId{4}) << "half as fast it lies in the range";
+    EXPECT_EQ(nearest(82.0), DanceId{2});
+    EXPECT_EQ(nearest(172.0), DanceId{0});
+    EXPECT_EQ(nearest(162.0, DanceId::none, 3), DanceId{3}) << "a bar of three beats";
+    EXPECT_EQ(nearest(0.0), DanceId{4}) << "no tempo yet";
+    // What is danced stays while the tempo wavers about the edge of the range.
+    EXPECT_EQ(nearest(160.0), DanceId{0});
+    EXPECT_EQ(nearest(160.0, DanceId{4}), DanceId{4});
+    EXPECT_EQ(nearest(168.0, DanceId{4}), DanceId{0});
+}
+
 TEST(Repertoire, changes_of_dance_keep_the_real_time_rules) {
     Dancer dancer;
     ASSERT_TRUE(dancer.prepare(
