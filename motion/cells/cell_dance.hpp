@@ -23,12 +23,13 @@ inline constexpr std::size_t kMostCells = 2048;
 
 /// One beat of a take. Its mirror image is a cell, too, and is not listed.
 struct Cell {
-    std::uint16_t take = 0;       ///< index in CellGraph::takes
-    std::uint16_t beat = 0;       ///< it lasts from this beat of the take to the next one
-    float energy = 0.0F;          ///< mean speed of the joints about the hips, metres a second
-    float turn = 0.0F;            ///< of the hips over the cell, radians; positive to the left
-    glm::vec2 way{};              ///< of the hips, left and forward of where it starts; metres
-    float speed_at_end = 0.0F;    ///< of the joints about the hips as it ends, metres a second
+    std::uint16_t take = 0;  ///< index in CellGraph::takes
+    std::uint16_t beat = 0;  ///< it lasts from this beat of the take to the next one
+    float energy = 0.0F;     ///< mean speed of the joints about the hips, metres a second
+    float turn = 0.0F;       ///< of the hips over the cell, radians; positive to the left
+    glm::vec2 way{};         ///< of the hips, left and forward of where it starts; metres
+    /// Of the joints about the hips as it ends, mean over an eighth of a second; metres a second
+    float speed_at_end = 0.0F;
     /// By Side: when the foot lands next to the cell's first beat, in beats from it; [-0.5, 0.5).
     std::array<float, 2> landings{kNoLanding, kNoLanding};
     bool is_second_half = false;  ///< of the bar
@@ -86,6 +87,30 @@ inline constexpr int kStatesPerBeat = 8;
 inline constexpr int kCellSamples = 24;
 /// Contact bins a beat of a take (FigureModel::contact).
 inline constexpr int kContactBinsPerBeat = 24;
+
+// What a cell is good for. Training keeps a cell only where each kind that the dance has is reached
+// from it within kBeatsToKind beats. Each function costs nothing and may be called on any thread.
+
+/// Beats within which every cell reaches a rest, an ending and one of the greatest cells.
+inline constexpr int kBeatsToKind = 8;
+/// Metres a second under which a body on both feet is at rest.
+inline constexpr float kRestSpeed = 0.25F;
+/// Index in CellGraph::energies from which on cells are the greatest: the top tenth.
+inline constexpr std::size_t kGreatestQuantile = 18;
+
+/// Whether the dance may hold at the end of a cell: it comes to rest there on both feet.
+[[nodiscard]] inline bool is_rest(const CellGraph& graph, std::size_t cell) noexcept {
+    return graph.cells[cell].stands_at_end && graph.cells[cell].speed_at_end < kRestSpeed;
+}
+/// Whether the dance may end with a cell: it comes to rest as the next half of a bar would begin
+/// with its first beat. A dance that has none ends at any rest.
+[[nodiscard]] inline bool is_ending(const CellGraph& graph, std::size_t cell) noexcept {
+    return is_rest(graph, cell) && graph.cells[cell].is_second_half;
+}
+/// Whether a cell is one of those with the most energy; sort_energies() must have been called.
+[[nodiscard]] inline bool is_greatest(const CellGraph& graph, std::size_t cell) noexcept {
+    return graph.cells[cell].energy >= graph.energies[kGreatestQuantile];
+}
 
 /// Sets the graph's quantiles of energy from its cells, of which there is at least one.
 void sort_energies(CellGraph& graph);
