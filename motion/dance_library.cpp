@@ -19,6 +19,14 @@ std::vector<std::string_view> DanceLibrary::figure_names() const {
     return names;
 }
 
+const CellGraph* DanceLibrary::cells() const noexcept { return content_->cells.get(); }
+
+Pose DanceLibrary::pose_at(std::size_t figure, double beat) const {
+    FigureChoice choice;
+    choice.figure = figure;
+    return pose_of(*content_, choice, beat);
+}
+
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
     std::span<const FigureModel> figures,
     const Skeleton& skeleton,
@@ -52,6 +60,16 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
     const Skeleton& skeleton,
     const FigureGrammar& grammar) {
     auto content = unpack_content(std::move(bytes), skeleton, grammar);
+    if (!content) {
+        return fail(std::move(content.error()));
+    }
+    return std::shared_ptr<const DanceLibrary>(
+        new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
+}
+
+Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
+    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton) {
+    auto content = unpack_cell_content(std::move(bytes), skeleton);
     if (!content) {
         return fail(std::move(content.error()));
     }

@@ -1,6 +1,7 @@
 // Dance library: all figures of a dance, solved for one skeleton.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,11 +10,13 @@
 
 #include "base/expected.hpp"
 #include "motion/dance/generator.hpp"
+#include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
 
 struct CellDance;      // motion/cells/cell_dance.hpp
+struct CellGraph;      // motion/cells/cell_dance.hpp
 struct FigureGrammar;  // motion/figures/figure_grammar.hpp
 struct FigureModel;    // motion/figures/figure_model.hpp
 
@@ -45,11 +48,19 @@ class DanceLibrary {
         std::shared_ptr<const std::string> bytes,
         const Skeleton& skeleton,
         const FigureGrammar& grammar);
+    /// The same of a dance of cells, which has no grammar.
+    [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
+        std::shared_ptr<const std::string> bytes, const Skeleton& skeleton);
     /// Out of line, where Content is complete.
     ~DanceLibrary();
     /// The figures' names in the order of `figures`; the views are valid as long as the library
     /// lives.
     [[nodiscard]] std::vector<std::string_view> figure_names() const;
+    /// The cells of a dance of cells, whose figures are its takes; null: a dance of figures.
+    [[nodiscard]] const CellGraph* cells() const noexcept;
+    /// The pose at a beat of a figure or take as it was learnt, seen from where it begins.
+    /// `figure`: index in figure_names(). Threads: any. Real-time: no.
+    [[nodiscard]] Pose pose_at(std::size_t figure, double beat) const;
     /// Not copied: dancers share one library by pointer.
     DanceLibrary(const DanceLibrary&) = delete;
     /// Not copied.

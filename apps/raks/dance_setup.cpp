@@ -142,6 +142,9 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     if (auto checked = engine::check_dances(settings, *catalogue); !checked) {
         return fail(std::move(checked.error()));
     }
+    for (const std::string& note : engine::material_notes(settings, *catalogue)) {
+        say(note);
+    }
     auto models = engine::load_analyzer_models(catalogue->list());
     if (!models) {
         return fail(std::move(models.error()));

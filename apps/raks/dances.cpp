@@ -1,10 +1,11 @@
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "apps/reports/text_table.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/file.hpp"
 #include "base/json.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/dance_catalogue.hpp"
@@ -21,7 +22,8 @@ namespace {
 struct FoundDance {
     const engine::CatalogueEntry* entry = nullptr;
     std::vector<std::string> figures;
-    std::vector<std::string> takes;  ///< of a dance of whole takes, which has no figures
+    std::vector<std::string> takes;  ///< whole takes of people
+    std::size_t cells = 0;           ///< beats of the takes that are danced
     std::string licence;             ///< of the takes, and who made them
     std::string fault;               ///< why it cannot be danced; empty: it can
 };
@@ -39,21 +41,29 @@ const char* name_of(engine::DanceOrigin origin) {
     return "";
 }
 
-// Reads the dance in all its roles, as dancing it would: a fault is found here and not during a
-// show.
+// Reads the dance's takes, as dancing it would.
+void examine_takes(const engine::CatalogueEntry& entry, FoundDance& found) {
+    const auto dance = motion::load_cells(engine::cells_path(entry.folder, entry.info.name));
+    if (!dance) {
+        found.fault = dance.error().message;
+        return;
+    }
+    for (const motion::CellTake& take : dance->graph.takes) {
+        found.takes.push_back(take.name);
+    }
+    found.cells = dance->graph.cells.size();
+    found.licence = dance->licence;
+}
+
+// Reads the dance in all its roles and materials, as dancing it would: a fault is found here and
+// not during a show.
 FoundDance examine(const engine::DanceCatalogue& catalogue, const engine::CatalogueEntry& entry) {
     FoundDance found;
     found.entry = &entry;
-    if (const Path cells = engine::cells_path(entry.folder, entry.info.name); is_there(cells)) {
-        const auto dance = motion::load_cells(cells);
-        if (!dance) {
-            found.fault = dance.error().message;
-            return found;
-        }
-        for (const motion::CellTake& take : dance->graph.takes) {
-            found.takes.push_back(take.name);
-        }
-        found.licence = dance->licence;
+    if (entry.has_cells) {
+        examine_takes(entry, found);
+    }
+    if (!entry.has_figures || !found.fault.empty()) {
         return found;
     }
     // A dance for one has no follow.
@@ -94,6 +104,7 @@ Json json_of(const FoundDance& found) {
     }
     json["figures"] = found.figures;
     json["takes"] = found.takes;
+    json["cells"] = found.cells;
     json["licence"] = found.licence;
     json["fault"] = found.fault;
     return json;
@@ -117,14 +128,21 @@ std::string text_of(const FoundDance& found) {
     if (!found.fault.empty()) {
         return text + fmt::format("  cannot be danced: {}\n", printable(found.fault));
     }
-    const bool is_of_takes = !found.takes.empty();
-    text += fmt::format(
-        "  {}: {}\n",
-        is_of_takes ? "takes" : "figures",
-        printable(fmt::format("{}", fmt::join(is_of_takes ? found.takes : found.figures, ", ")),
-                  std::string::npos));
+    const auto add_names = [&](std::string_view what, const std::vector<std::string>& names) {
+        text +=
+            fmt::format("  {}: {}\n",
+                        what,
+                        printable(fmt::format("{}", fmt::join(names, ", ")), std::string::npos));
+    };
+    if (!found.takes.empty()) {
+        add_names(fmt::format("{} beats of people's takes", found.cells), found.takes);
+    }
     if (!found.licence.empty()) {
-        text += fmt::format("  {}\n", printable(found.licence, std::string::npos));
+        text += fmt::format("  the takes are not under MIT or Apache-2.0, as Raks is: {}\n",
+                            printable(found.licence, std::string::npos));
+    }
+    if (!found.figures.empty()) {
+        add_names("figures", found.figures);
     }
     return text;
 }

@@ -1,18 +1,25 @@
 #include "apps/raks/commands.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "apps/raks/cell_sheet.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/sheet_file.hpp"
+#include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/trials/figure_alone.hpp"
+#include "motion/cells/cell_dance.hpp"
+#include "motion/dance_library.hpp"
 #include "render/avatar/avatar.hpp"
 
 #include <fmt/format.h>
@@ -54,12 +61,6 @@ std::vector<double> film_times(double duration, double fps) {
     return times;
 }
 
-// What a sheet shows.
-struct DancedFigure {
-    std::string name;  // "salsa: basic"
-    std::vector<motion::Pose> poses;
-};
-
 // A sheet or a film of a clip. Sheets have its poses at even times.
 ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
     const auto clip = open_clip(arguments.motion, arguments.settings);
@@ -89,24 +90,27 @@ ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
     return exit_code_of(studio->write_sheet(arguments.output, poses, figure_sheet(), labels));
 }
 
-// One figure, danced by itself on a steady beat, from count 1 on. Errors: no such figure.
-Expected<DancedFigure> dance_a_figure(const SheetArguments& arguments,
-                                      const DanceSetup& setup,
-                                      const SheetPlan& plan) {
-    const engine::Settings& settings = arguments.settings;
-    const std::string dance = engine::dance_to_load(settings, *setup.catalogue.list());
-    const auto library = engine::load_dance(
-        setup.catalogue, dance, setup.skeleton, motion::DanceRole::lead, engine::form_of(settings));
-    if (!library) {
-        return fail(library.error());
+// The figure or take that is drawn, as an index; none is named: nothing. Errors: no such one.
+Expected<std::optional<std::size_t>> named_figure(const motion::DanceLibrary& library,
+                                                  const std::string& name) {
+    if (name.empty()) {
+        return std::nullopt;
     }
-    const std::vector<std::string_view> names = (*library)->figure_names();
-    const auto figure = std::find(names.begin(), names.end(), arguments.figure);
-    if (figure == names.end() && !arguments.figure.empty()) {
-        return fail(unknown_name("figure", arguments.figure, names));
+    const std::vector<std::string_view> names = library.figure_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        return fail(unknown_name(library.cells() != nullptr ? "take" : "figure", name, names));
     }
-    // The first figure when none is named.
-    const auto index = arguments.figure.empty() ? 0 : figure - names.begin();
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+// One figure, danced by itself on a steady beat, from count 1 on.
+Expected<std::vector<motion::Pose>> dance_a_figure(
+    const SheetArguments& arguments,
+    const motion::Skeleton& skeleton,
+    const std::shared_ptr<const motion::DanceLibrary>& library,
+    std::size_t figure,
+    const SheetPlan& plan) {
     std::vector<double> beats;
     const auto poses = static_cast<std::size_t>(plan.counts * plan.poses_per_beat);
     for (std::size_t i = 0; i < poses; ++i) {
@@ -114,14 +118,44 @@ Expected<DancedFigure> dance_a_figure(const SheetArguments& arguments,
     }
     // The dancer settles before count 1, so that the figure does not begin from standing.
     engine::FigureOnBeat on;
-    on.figure = static_cast<std::size_t>(index);
+    on.figure = figure;
     on.tempo = Bpm(arguments.bpm);
-    on.seed = static_cast<std::uint64_t>(settings.seed);
-    auto danced = engine::dance_alone(*library, setup.skeleton, on, beats);
-    if (!danced) {
-        return fail(danced.error());
+    on.seed = static_cast<std::uint64_t>(arguments.settings.seed);
+    return engine::dance_alone(library, skeleton, on, beats);
+}
+
+// All of a take, as it was danced.
+std::vector<motion::Pose> poses_of_take(const motion::DanceLibrary& library,
+                                        std::size_t take,
+                                        double poses_per_beat) {
+    std::vector<motion::Pose> poses;
+    const double beats = library.cells()->takes[take].beats;
+    for (int i = 0; i / poses_per_beat < beats; ++i) {
+        poses.push_back(library.pose_at(take, i / poses_per_beat));
     }
-    return DancedFigure{fmt::format("{}: {}", dance, names[on.figure]), std::move(*danced)};
+    return poses;
+}
+
+// A sheet of all takes of a dance of cells, or of one; or a film of one.
+Expected<void> draw_takes(const SheetArguments& arguments,
+                          const motion::DanceLibrary& library,
+                          std::optional<std::size_t> take,
+                          const std::string& dance,
+                          const SheetPlan& plan,
+                          SheetStudio& studio) {
+    if (arguments.output.extension() != ".png") {
+        return studio.write_film(arguments.output,
+                                 poses_of_take(library, take.value_or(0), plan.poses_per_beat),
+                                 arguments.settings.fps);
+    }
+    const auto left_out = write_cell_sheet(studio, arguments.output, library, take, dance);
+    if (!left_out) {
+        return fail(left_out.error());
+    }
+    if (!left_out->empty()) {
+        say(*left_out);
+    }
+    return {};
 }
 
 }  // namespace
@@ -146,20 +180,40 @@ ExitCode sheet(const SheetArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    const auto danced = dance_a_figure(arguments, *setup, plan);
-    if (!danced) {
-        return fail(danced.error());
+    const engine::Settings& settings = arguments.settings;
+    const std::string dance = engine::dance_to_load(settings, *setup->catalogue.list());
+    const auto library = engine::load_dance(setup->catalogue,
+                                            dance,
+                                            setup->skeleton,
+                                            motion::DanceRole::lead,
+                                            engine::form_of(settings));
+    if (!library) {
+        return fail(library.error());
+    }
+    const auto named = named_figure(**library, arguments.figure);
+    if (!named) {
+        return fail(named.error());
     }
     auto studio = SheetStudio::open(*look, best_quality(*look));
     if (!studio) {
         return fail(studio.error());
     }
-    const std::string title = fmt::format("{}, {:g} BPM", danced->name, arguments.bpm);
-    return exit_code_of(is_sheet ? studio->write_sheet(arguments.output,
-                                                       danced->poses,
-                                                       figure_sheet(),
-                                                       figure_labels(title, danced->poses.size()))
-                                 : studio->write_film(arguments.output, danced->poses, fps));
+    if ((*library)->cells() != nullptr) {
+        return exit_code_of(draw_takes(arguments, **library, *named, dance, plan, *studio));
+    }
+    // The first figure when none is named.
+    const std::size_t figure = named->value_or(0);
+    const auto danced = dance_a_figure(arguments, setup->skeleton, *library, figure, plan);
+    if (!danced) {
+        return fail(danced.error());
+    }
+    const std::string title =
+        fmt::format("{}: {}, {:g} BPM", dance, (*library)->figure_names()[figure], arguments.bpm);
+    return exit_code_of(
+        is_sheet
+            ? studio->write_sheet(
+                  arguments.output, *danced, figure_sheet(), figure_labels(title, danced->size()))
+            : studio->write_film(arguments.output, *danced, fps));
 }
 
 }  // namespace raks::apps

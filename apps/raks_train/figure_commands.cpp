@@ -87,8 +87,13 @@ void add_train_take(CommandTable& table) {
 
 void add_train_report(CommandTable& table) {
     auto [app, a] = table.add(table.app(), "report", "show how figures are learnt", train_report);
-    app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
-    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...")->required();
+    app->add_option(
+           "clips",
+           a->clips,
+           "motion files, or a folder of them; or X.cells, or a folder of a dance of takes")
+        ->required();
+    // Not required: a dance of takes has none.
+    app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
     app->add_option("--counts", a->counts, "TSV: when each count falls");
     app->add_option("--faults", a->faults, "TSV: stretches that the capture got wrong");
     app->add_option("--figure", a->figures, "one or several; several are also told apart");

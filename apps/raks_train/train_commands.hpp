@@ -93,6 +93,12 @@ struct TrainReportArguments : LabelledClips {
 /// and how well the models tell figures apart.
 [[nodiscard]] ExitCode train_report(const TrainReportArguments& arguments);
 
+/// The dance of cells that a report is asked of: X.cells, or a folder of dances that has one, where
+/// there are no labels; empty: none.
+[[nodiscard]] Path cell_dance_of(const TrainReportArguments& arguments);
+/// Writes a page about a dance of cells, and prints in some lines how it hangs together.
+[[nodiscard]] ExitCode report_cells(const Path& file, const Path& output);
+
 /// The part of the plan that both commands take from the clips' arguments; the rest is their own.
 /// Errors: those of --joint and --joints.
 [[nodiscard]] Expected<motion::FigureTrainingPlan> plan_of(const LabelledClips& clips);

@@ -222,6 +222,15 @@ std::string summary_of(const ReportData& data) {
 }  // namespace
 
 ExitCode train_report(const TrainReportArguments& arguments) {
+    if (const Path cells = cell_dance_of(arguments); !cells.empty()) {
+        if (auto checked = check_is_no_input(arguments.output, {cells}); !checked) {
+            return fail(std::move(checked.error()));
+        }
+        return report_cells(cells, arguments.output);
+    }
+    if (arguments.labels.empty()) {
+        return fail("--labels is required: a table says which figures the clips have");
+    }
     if (auto checked = check_clip_options(
             arguments.joints,
             {arguments.labels, arguments.counts, arguments.faults, arguments.skeleton});

@@ -90,6 +90,16 @@ void remove_oldest_bodies(const std::vector<fs::path>& files) {
     }
 }
 
+// The bytes of a file; null: there is no such file, or it cannot be read, which is no error: the
+// dance is solved again.
+std::shared_ptr<const std::string> kept_bytes(const fs::path& path) {
+    if (path.empty() || !is_there(path)) {
+        return nullptr;
+    }
+    auto bytes = read_file(path);
+    return bytes ? std::make_shared<const std::string>(std::move(*bytes)) : nullptr;
+}
+
 }  // namespace
 
 DanceCache DanceCache::of_user() {
@@ -128,19 +138,38 @@ fs::path DanceCache::path_of(const DancePlan& plan,
                                  hash);
 }
 
+fs::path DanceCache::path_of(std::string_view dance,
+                             std::string_view cells,
+                             const motion::Skeleton& skeleton) const {
+    if (folder_.empty()) {
+        return {};
+    }
+    const std::uint64_t hash = fast_hash_of(cells, with_bytes_of(skeleton, program_identity()));
+    const bool is_mannequin = skeleton == motion::mannequin_skeleton();
+    // No role is called so: a dance's figures are told from its cells.
+    return folder_ /
+           fmt::format(
+               "{}-cells{}-{:016x}.baked", dance, is_mannequin ? "" : name_of_body(skeleton), hash);
+}
+
 std::shared_ptr<const motion::DanceLibrary> DanceCache::find(const fs::path& path,
                                                              const motion::Skeleton& skeleton,
                                                              const motion::FigureGrammar& grammar) {
-    if (path.empty() || !is_there(path)) {
-        return nullptr;
-    }
-    auto bytes = read_file(path);
-    // Damaged contents are no error: the dance is solved again.
+    auto bytes = kept_bytes(path);
     if (!bytes) {
         return nullptr;
     }
-    auto library = motion::DanceLibrary::unpack(
-        std::make_shared<const std::string>(std::move(*bytes)), skeleton, grammar);
+    auto library = motion::DanceLibrary::unpack(std::move(bytes), skeleton, grammar);
+    return library ? std::move(*library) : nullptr;
+}
+
+std::shared_ptr<const motion::DanceLibrary> DanceCache::find(const fs::path& path,
+                                                             const motion::Skeleton& skeleton) {
+    auto bytes = kept_bytes(path);
+    if (!bytes) {
+        return nullptr;
+    }
+    auto library = motion::DanceLibrary::unpack(std::move(bytes), skeleton);
     return library ? std::move(*library) : nullptr;
 }
 

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
+#include <utility>
 
 #include "engine/setup/dance_catalogue.hpp"
 #include "motion/dance_library.hpp"
@@ -11,10 +13,10 @@
 namespace raks::engine {
 
 /// Keeps solved dances between runs, so that a command need not solve them again. One file a dance;
-/// its name contains a hash of everything that determines the result: the bytes of its figures, its
-/// grammar, the skeleton, the form and the program itself. A file that is damaged counts as
-/// missing, and one that cannot be written is left out; neither is an error. Several processes may
-/// use a folder at once. Threads: any. Real-time: no.
+/// its name contains a hash of everything that determines the result: the bytes of its figures and
+/// its grammar, or of its cells; the skeleton, the form and the program itself. A file that is
+/// damaged counts as missing, and one that cannot be written is left out; neither is an error.
+/// Several processes may use a folder at once. Threads: any. Real-time: no.
 class DanceCache {
  public:
     /// A cache in this folder. Empty: finds nothing and keeps nothing.
@@ -27,11 +29,19 @@ class DanceCache {
     [[nodiscard]] std::filesystem::path path_of(const DancePlan& plan,
                                                 const motion::Skeleton& skeleton,
                                                 const DanceForm& form) const;
+    /// The same of a dance of cells, which has one form alone. `cells`: the bytes of its file.
+    /// Empty: there is no cache.
+    [[nodiscard]] std::filesystem::path path_of(std::string_view dance,
+                                                std::string_view cells,
+                                                const motion::Skeleton& skeleton) const;
     /// The dance of a file; null: there is no such file, or it is damaged.
     [[nodiscard]] static std::shared_ptr<const motion::DanceLibrary> find(
         const std::filesystem::path& path,
         const motion::Skeleton& skeleton,
         const motion::FigureGrammar& grammar);
+    /// The same of a dance of cells.
+    [[nodiscard]] static std::shared_ptr<const motion::DanceLibrary> find(
+        const std::filesystem::path& path, const motion::Skeleton& skeleton);
     /// Writes a dance to its file, and removes older files of the same dance, role, form and body;
     /// of all avatars' bodies together the last 96 stay.
     static void keep(const std::filesystem::path& path, const motion::DanceLibrary& library);

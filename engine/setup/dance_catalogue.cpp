@@ -131,9 +131,10 @@ void DanceCatalogue::add(CatalogueEntry entry) {
         joining_.push_back(std::move(entry));
         return;
     }
-    // A dance is listed only when its figures can be put in order.
-    if (!is_there(grammar_path(entry.folder, entry.info.name)) &&
-        !is_there(cells_path(entry.folder, entry.info.name))) {
+    // A dance is listed only when its figures can be put in order, or it has cells.
+    entry.has_figures = is_there(grammar_path(entry.folder, entry.info.name));
+    entry.has_cells = is_there(cells_path(entry.folder, entry.info.name));
+    if (!entry.has_figures && !entry.has_cells) {
         notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
                                      entry.folder.string(),
                                      grammar_path({}, entry.info.name).string(),
@@ -168,6 +169,12 @@ void DanceCatalogue::join_extensions() {
             }());
             notes_.push_back(joining.folder.string() + ": extends: " +
                              unknown_name("dance", joining.info.extends, names.names()));
+        } else if (!extended->has_figures) {
+            notes_.push_back(
+                fmt::format("{}: extends {}, which has takes of people and no figures; its figures "
+                            "are left out",
+                            joining.folder.string(),
+                            joining.info.extends));
         } else {
             extended->extensions.push_back(joining.folder);
         }
@@ -204,6 +211,10 @@ const CatalogueEntry* DanceCatalogue::find(std::string_view name) const noexcept
     return found != entries_.end() ? &*found : nullptr;
 }
 
+Error DanceCatalogue::danced_alone(std::string_view name) const {
+    return {fmt::format("{} is danced alone{}", name, couple_dances(*list_))};
+}
+
 Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
                                          motion::DanceRole role,
                                          const DanceForm& form) const {
@@ -229,7 +240,7 @@ Expected<DancePlan> DanceCatalogue::plan(std::string_view name,
         fs::path path = find_figure(*entry, rule.figure, role, form.features);
         // No file for a follow in a dance for one is no missing file: such a dance has no follow.
         if (path.empty() && role == motion::DanceRole::follow && entry->info.roles < 2) {
-            return fail(fmt::format("{} is danced alone{}", name, couple_dances(*list_)));
+            return fail(danced_alone(name));
         }
         if (path.empty()) {
             return fail(fmt::format(
@@ -249,6 +260,15 @@ Expected<DanceParts> DanceCatalogue::read(std::string_view name,
                                           const DanceForm& form) const {
     auto planned = plan(name, role, form);
     return planned ? read_figures(std::move(*planned)) : fail(std::move(planned.error()));
+}
+
+bool is_of_cells(const CatalogueEntry& entry,
+                 motion::DanceRole role,
+                 const DanceForm& form) noexcept {
+    const bool can_be = role == motion::DanceRole::lead && form.company == Company::alone &&
+                        form.generator == motion::Generator::trajectories &&
+                        form.features == motion::FigureFeatures::angles;
+    return entry.has_cells && (!entry.has_figures || (can_be && form.material == Material::people));
 }
 
 Expected<DanceParts> read_figures(DancePlan plan) {

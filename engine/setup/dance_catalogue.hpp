@@ -28,10 +28,15 @@ struct CatalogueEntry {
     DanceOrigin origin = DanceOrigin::shipped;      ///< which of the three sources has it
     std::filesystem::path folder;                   ///< that holds its grammar and figures
     std::vector<std::filesystem::path> extensions;  ///< folders whose figures are added to it
+    bool has_cells = false;                         ///< of whole takes of people: a file of cells
+    bool has_figures = false;                       ///< a grammar; a dance may have both
 };
 
 /// Whether a dancer dances alone or as one of a couple, where each leaves the other room.
 enum class Company : std::uint8_t { alone, couple };
+
+/// What is danced of a dance that has both: whole takes of people, or its figures.
+enum class Material : std::uint8_t { people, written };
 
 /// The form in which a dance is solved.
 struct DanceForm {
@@ -39,7 +44,8 @@ struct DanceForm {
     motion::FigureFeatures features = motion::FigureFeatures::angles;
     /// How a figure's model becomes motion.
     motion::Generator generator = motion::Generator::trajectories;
-    Company company = Company::alone;  ///< alone or one of a couple
+    Company company = Company::alone;      ///< alone or one of a couple
+    Material material = Material::people;  ///< where the dance has both
 };
 
 /// The sources of a dance: how its figures follow one another, and the file of each figure.
@@ -82,6 +88,9 @@ class DanceCatalogue {
     /// each.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
 
+    /// Why a dance cannot be danced by a couple: "X is danced alone", and which others can be.
+    [[nodiscard]] Error danced_alone(std::string_view name) const;
+
     /// The grammar of a dance with its extensions, and the file of each figure. Errors: an unknown
     /// dance (the nearest is named), a bad grammar, a figure without a file.
     [[nodiscard]] Expected<DancePlan> plan(std::string_view name,
@@ -106,6 +115,13 @@ class DanceCatalogue {
     std::vector<std::string> pair_;
     std::vector<std::string> notes_;
 };
+
+/// Whether a dance is danced of cells in this form, else of figures. A dance that has both is
+/// danced of figures where its cells cannot be what is asked for: for a couple or a follow, by the
+/// paper's generator, of positions. Pure.
+[[nodiscard]] bool is_of_cells(const CatalogueEntry& entry,
+                               motion::DanceRole role,
+                               const DanceForm& form) noexcept;
 
 /// Reads the figures of a plan. Errors: a bad file, a file whose figure or role is not the one that
 /// its name says.

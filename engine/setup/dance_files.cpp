@@ -14,6 +14,8 @@
 #include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::engine {
 namespace {
 
@@ -105,7 +107,69 @@ DanceForm form_of(const Settings& settings) {
     form.generator = settings.generator == "frames" ? motion::Generator::frames
                                                     : motion::Generator::trajectories;
     form.company = settings.formation == "couple" ? Company::couple : Company::alone;
+    form.material = material_of(settings, 0);
     return form;
+}
+
+Material material_of(const Settings& settings, std::size_t dancer) noexcept {
+    if (settings.material != "both") {
+        return settings.material == "written" ? Material::written : Material::people;
+    }
+    return (static_cast<std::size_t>(settings.seed) + dancer) % 2 == 1 ? Material::people
+                                                                       : Material::written;
+}
+
+namespace {
+
+// "house", "house and disco", "hiphop, house and disco".
+std::string listed(const std::vector<std::string>& names) {
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    }
+    return text;
+}
+
+// What takes of people cannot be that the form asks for; empty: nothing.
+std::string_view not_of_cells(const DanceForm& form) {
+    return form.company == Company::couple                      ? "for one dancer"
+           : form.generator == motion::Generator::frames        ? "not of --generator frames"
+           : form.features == motion::FigureFeatures::positions ? "not of --figures positions"
+                                                                : "";
+}
+
+}  // namespace
+
+std::vector<std::string> material_notes(const Settings& settings, const DanceCatalogue& catalogue) {
+    const DanceForm form = form_of(settings);
+    const std::string_view reason = not_of_cells(form);
+    std::vector<std::string> loaded = other_dances_to_load(settings, *catalogue.list());
+    loaded.insert(loaded.begin(), dance_to_load(settings, *catalogue.list()));
+    std::vector<std::string> without_figures;
+    std::vector<std::string> without_takes;  // in this form
+    for (const std::string& name : loaded) {
+        const CatalogueEntry* const entry = catalogue.find(name);
+        if (entry == nullptr || !entry->has_cells) {
+            continue;
+        }
+        if (!entry->has_figures) {
+            without_figures.push_back(name);
+        } else if (!reason.empty()) {
+            without_takes.push_back(name);
+        }
+    }
+    if (settings.material == "written" && !without_figures.empty()) {
+        return {fmt::format("material: {} {} no figures: takes of people are danced",
+                            listed(without_figures),
+                            without_figures.size() == 1 ? "has" : "have")};
+    }
+    if (settings.material != "written" && !without_takes.empty()) {
+        return {fmt::format("material: {} {} danced of figures: takes of people are {}",
+                            listed(without_takes),
+                            without_takes.size() == 1 ? "is" : "are",
+                            reason)};
+    }
+    return {};
 }
 
 motion::Dynamics dynamics_of(const Settings& settings) {
@@ -114,21 +178,40 @@ motion::Dynamics dynamics_of(const Settings& settings) {
 
 namespace {
 
-// A dance of whole takes. Errors: what it is asked for is not in the takes.
+// A dance of whole takes that has nothing else for this form. Errors: what it is asked for is not
+// in the takes.
 Expected<std::shared_ptr<const motion::DanceLibrary>> load_cell_dance(
+    const DanceCatalogue& catalogue,
     const CatalogueEntry& entry,
     const motion::Skeleton& skeleton,
     motion::DanceRole role,
-    const DanceForm& form) {
+    const DanceForm& form,
+    const DanceCache& cache) {
     const std::string& dance = entry.info.name;
-    if (role == motion::DanceRole::follow) {
-        return fail(dance + " is danced alone");
+    if (role == motion::DanceRole::follow || form.company == Company::couple) {
+        return fail(catalogue.danced_alone(dance));
     }
     if (form.generator == motion::Generator::frames) {
         return fail(dance + " is a dance of whole takes; leave --generator frames out");
     }
-    const auto cells = motion::load_cells(cells_path(entry.folder, dance));
-    return cells ? motion::DanceLibrary::build(*cells, skeleton) : fail(cells.error());
+    const std::filesystem::path file = cells_path(entry.folder, dance);
+    const auto bytes = read_file(file, motion::kMostCellBytes);
+    if (!bytes) {
+        return fail(bytes.error());
+    }
+    const std::filesystem::path kept = cache.path_of(dance, *bytes, skeleton);
+    if (auto found = DanceCache::find(kept, skeleton)) {
+        return found;
+    }
+    const auto cells = motion::parse_cells(*bytes, file.filename().string());
+    if (!cells) {
+        return fail(cells.error());
+    }
+    auto library = motion::DanceLibrary::build(*cells, skeleton);
+    if (library) {
+        DanceCache::keep(kept, **library);
+    }
+    return library;
 }
 
 }  // namespace
@@ -140,8 +223,8 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(const DanceCata
                                                                  const DanceForm& form,
                                                                  const DanceCache& cache) {
     if (const CatalogueEntry* const entry = catalogue.find(dance);
-        entry != nullptr && is_there(cells_path(entry->folder, dance))) {
-        return load_cell_dance(*entry, skeleton, role, form);
+        entry != nullptr && is_of_cells(*entry, role, form)) {
+        return load_cell_dance(catalogue, *entry, skeleton, role, form, cache);
     }
     auto plan = catalogue.plan(dance, role, form);
     if (!plan) {

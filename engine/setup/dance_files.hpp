@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -40,15 +41,25 @@ namespace raks::engine {
 [[nodiscard]] motion::Repertoire::Fallback fallback_of(const Settings& settings);
 
 /// The form that the settings ask for by figures, generator ("frames" is the paper's; everything
-/// else that passed validate() is ours) and formation.
+/// else that passed validate() is ours), formation and material, which is the first dancer's.
 [[nodiscard]] DanceForm form_of(const Settings& settings);
+
+/// What a dancer dances of a dance that has both. With "both" it changes from dancer to dancer, and
+/// the seed says what the first one dances: an odd one people's takes. Pure.
+[[nodiscard]] Material material_of(const Settings& settings, std::size_t dancer) noexcept;
+
+/// What a person is told once: that the dances to load are not of the material that the settings
+/// ask for, and why; a line at most.
+[[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
+                                                      const DanceCatalogue& catalogue);
 
 /// Whether the settings ask for dynamics.
 [[nodiscard]] motion::Dynamics dynamics_of(const Settings& settings);
 
-/// Reads the trained figures of a dance and solves them for a skeleton; figures of positions where
-/// the dance has such, else of angles. A dance that an earlier run solved is taken from the cache.
-/// Errors: as DanceCatalogue::read and DanceLibrary::build. Threads: workers. Real-time: no.
+/// Reads the trained figures of a dance, or its cells (is_of_cells), and solves them for a
+/// skeleton; figures of positions where the dance has such, else of angles. A dance that an earlier
+/// run solved is taken from the cache. Errors: as DanceCatalogue::read and DanceLibrary::build.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::shared_ptr<const motion::DanceLibrary>> load_dance(
     const DanceCatalogue& catalogue,
     std::string_view dance,

@@ -183,8 +183,13 @@ Expected<void> add_to_folder(const fs::path& folder,
     if (!is_dance_name(dance.name)) {
         return fail("dance: " + why_no_dance_name(dance.name));
     }
+    const std::string text = motion::cell_text(cells);
+    // Whatever lies in a folder can be danced.
+    if (const auto readable = motion::parse_cells(text, dance.name); !readable) {
+        return fail(readable.error());
+    }
     return change_folder(folder, [&](const fs::path& changed) {
-        auto written = write_file(cells_path(changed, dance.name), motion::cell_text(cells));
+        auto written = write_file(cells_path(changed, dance.name), text);
         return written ? list_dance(changed, dance) : written;
     });
 }

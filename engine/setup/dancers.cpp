@@ -21,7 +21,7 @@ using motion::Repertoire;
 
 // One part of the dances, solved for one body.
 struct SolvedPart {
-    motion::Skeleton skeleton;
+    BodyOfMaterial body;
     DanceRole role = DanceRole::lead;
     std::shared_ptr<Repertoire> repertoire;  // null: nothing is solved yet
 };
@@ -32,14 +32,14 @@ struct Parts {
     std::vector<std::size_t> of_body;
 };
 
-Parts parts_of(Formation formation, const std::vector<motion::Skeleton>& bodies) {
+Parts parts_of(Formation formation, const std::vector<BodyOfMaterial>& bodies) {
     Parts parts;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const bool is_follow = formation == Formation::couple && i == 1;
         const DanceRole role = is_follow ? DanceRole::follow : DanceRole::lead;
         const auto same =
             std::find_if(parts.each.begin(), parts.each.end(), [&](const SolvedPart& part) {
-                return part.role == role && part.skeleton == bodies[i];
+                return part.role == role && part.body == bodies[i];
             });
         parts.of_body.push_back(static_cast<std::size_t>(same - parts.each.begin()));
         if (same == parts.each.end()) {
@@ -66,19 +66,22 @@ struct DanceLoader {
         std::vector<std::optional<Expected<std::shared_ptr<const motion::DanceLibrary>>>> solved(
             parts.size());
         run_parallel(parts.size(), threads, [&](std::size_t i) {
-            if (!stop.is_asked()) {
-                solved[i] = load_dance(catalogue, dance, parts[i].skeleton, parts[i].role, form);
+            if (!stop.is_asked() && first_alike(i, dance) == i) {
+                const SolvedPart& part = parts[i];
+                solved[i] =
+                    load_dance(catalogue, dance, part.body.skeleton, part.role, form_for(part));
             }
         });
         Libraries libraries;
-        for (auto& library : solved) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto& library = solved[first_alike(i, dance)];
             if (!library) {
                 return fail("nobody waits for the dance any more");
             }
             if (!*library) {
-                return fail(std::move(library->error()));
+                return fail(library->error());
             }
-            libraries.push_back(std::move(**library));
+            libraries.push_back(**library);
         }
         return libraries;
     }
@@ -90,6 +93,24 @@ struct DanceLoader {
                                                     info->likely,
                                                     info->beats_per_bar}
                                : motion::DanceTempo{};
+    }
+
+    [[nodiscard]] DanceForm form_for(const SolvedPart& part) const {
+        DanceForm own = form;
+        own.material = part.body.material;
+        return own;
+    }
+
+    // The first part that dances the same: a dance that has one material alone is solved once for
+    // those who would dance either.
+    [[nodiscard]] std::size_t first_alike(std::size_t i, const std::string& dance) const {
+        const CatalogueEntry* const entry = catalogue.find(dance);
+        const auto same = std::find_if(parts.begin(), parts.end(), [&](const SolvedPart& part) {
+            return part.role == parts[i].role && part.body.skeleton == parts[i].body.skeleton &&
+                   (entry == nullptr || is_of_cells(*entry, part.role, form_for(part)) ==
+                                            is_of_cells(*entry, part.role, form_for(parts[i])));
+        });
+        return static_cast<std::size_t>(same - parts.begin());
     }
 
     // Gives each part a repertoire with the dance that a show begins with.
@@ -149,12 +170,23 @@ Cast cast_of(std::shared_ptr<const motion::DanceLibrary> library,
         Formation::solo, {{skeleton, Repertoire::of_one(std::move(library))}}, seed, dynamics);
 }
 
-std::vector<motion::Skeleton> bodies_in(Formation formation,
-                                        const std::vector<motion::Skeleton>& bodies) {
-    if (formation != Formation::couple) {
-        return bodies;
+std::vector<BodyOfMaterial> bodies_in(Formation formation,
+                                      const std::vector<motion::Skeleton>& bodies,
+                                      const Settings& settings) {
+    const std::size_t n = bodies.size();
+    if (formation == Formation::couple) {
+        const Material material = material_of(settings, 0);
+        return {{bodies[0], material}, {bodies[1 % n], material}};
     }
-    return {bodies[0], bodies[1 % bodies.size()]};
+    std::vector<BodyOfMaterial> in_turn;
+    const std::size_t rounds = settings.material == "both" ? 2 : 1;
+    for (std::size_t i = 0; i < rounds * n; ++i) {
+        // Of an even number of bodies the second round begins with the other material, or each
+        // would always have the same.
+        const std::size_t shifted = n % 2 == 0 ? i / n : 0;
+        in_turn.push_back({bodies[i % n], material_of(settings, i + shifted)});
+    }
+    return in_turn;
 }
 
 Expected<Dancers> Dancers::load(const Settings& settings,
@@ -163,15 +195,18 @@ Expected<Dancers> Dancers::load(const Settings& settings,
                                 int threads,
                                 const StopSolving& stop) {
     const motion::Formation formation = asked_formation(settings);
-    Parts parts = parts_of(formation, bodies_in(formation, bodies));
+    const std::vector<BodyOfMaterial> in_turn = bodies_in(formation, bodies, settings);
+    Parts parts = parts_of(formation, in_turn);
     DanceLoader loader{catalogue, form_of(settings), std::move(parts.each), threads, stop};
     if (auto begun = loader.begin(settings); !begun) {
         return fail(std::move(begun.error()));
     }
     Dancers dancers;
     dancers.stop_ = stop;
+    dancers.loaded_for_ = in_turn;
     for (const std::size_t part : parts.of_body) {
-        dancers.bodies_.push_back({loader.parts[part].skeleton, loader.parts[part].repertoire});
+        dancers.bodies_.push_back(
+            {loader.parts[part].body.skeleton, loader.parts[part].repertoire});
     }
     dancers.cast_ = motion::members_of(formation,
                                        dancers.bodies_,

@@ -28,10 +28,20 @@ using Cast = std::vector<motion::EnsembleMember>;
                            std::uint64_t seed,
                            motion::Dynamics dynamics = motion::Dynamics::on);
 
+/// A body that dances, and what of a dance that has both.
+struct BodyOfMaterial {
+    motion::Skeleton skeleton;
+    Material material = Material::people;
+
+    [[nodiscard]] bool operator==(const BodyOfMaterial&) const = default;
+};
+
 /// Of the bodies that dancers have in turn, at least one, those that a formation dances with: two
-/// of a couple, else all. Pure.
-[[nodiscard]] std::vector<motion::Skeleton> bodies_in(motion::Formation formation,
-                                                      const std::vector<motion::Skeleton>& bodies);
+/// of a couple, else all; where the settings ask for both materials, each body with the one and the
+/// other, so that neighbours differ. Pure.
+[[nodiscard]] std::vector<BodyOfMaterial> bodies_in(motion::Formation formation,
+                                                    const std::vector<motion::Skeleton>& bodies,
+                                                    const Settings& settings);
 
 /// A wish that no more dances are begun to be solved: nobody waits for them any more. Shared by who
 /// solves and who may wish; copies are the same wish, one that was moved from is nobody's. Threads:
@@ -72,6 +82,10 @@ class Dancers {
     [[nodiscard]] const std::vector<motion::DancingBody>& bodies() const noexcept {
         return bodies_;
     }
+    /// The same by what they were loaded for.
+    [[nodiscard]] const std::vector<BodyOfMaterial>& loaded_for() const noexcept {
+        return loaded_for_;
+    }
     /// No more dances are begun to be solved: nobody waits for them any more.
     void stop_solving() noexcept { stop_.ask(); }
     /// Whether that was asked for: some dances may never be there.
@@ -85,6 +99,7 @@ class Dancers {
 
  private:
     std::vector<motion::DancingBody> bodies_;
+    std::vector<BodyOfMaterial> loaded_for_;
     Cast cast_;
     StopSolving stop_;  // shared with the thread that solves
     std::future<std::vector<std::string>> others_;

@@ -101,14 +101,7 @@ bool Formations::has_dancers_for(Formation formation) const noexcept {
     if (!dancers || dancers->is_stopped()) {
         return false;
     }
-    const std::vector<motion::Skeleton> asked = bodies_in(formation, bodies_);
-    return std::equal(asked.begin(),
-                      asked.end(),
-                      dancers->bodies().begin(),
-                      dancers->bodies().end(),
-                      [](const motion::Skeleton& skeleton, const motion::DancingBody& body) {
-                          return skeleton == body.skeleton;
-                      });
+    return bodies_in(formation, bodies_, settings_) == dancers->loaded_for();
 }
 
 // Whether those who are asked for know a dance.

@@ -29,6 +29,7 @@ struct Settings {
     std::string dance = "auto";              ///< a dance's name, or auto: as recognised
     std::string fallback_dance = "first";    ///< when nothing is recognised; or keep, stand
     std::string figures = "angles";          ///< learnt as angles or positions of the joints
+    std::string material = "people";         ///< of a dance with both; or written, both
     std::string formation = "solo";          ///< solo, couple, unison, canon, free, grid, ring or v
     std::int64_t dancers = 0;                ///< 0: as many as a formation has; [0, 32]
     std::string generator = "trajectories";  ///< or frames: the paper's

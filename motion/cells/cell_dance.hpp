@@ -20,6 +20,8 @@ namespace raks::motion {
 
 /// Most cells of a dance: for each the dancer remembers when it was danced last.
 inline constexpr std::size_t kMostCells = 2048;
+/// Most beats of all takes of a dance together, those that no cell has among them.
+inline constexpr int kMostTakeBeats = 4096;
 
 /// One beat of a take. Its mirror image is a cell, too, and is not listed.
 struct Cell {

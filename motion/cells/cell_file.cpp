@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kMagic = "raks-cells\n";
 constexpr std::uint16_t kVersion = 2;
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::uint32_t kMostTakes = 1000;
+constexpr std::size_t kMostLicenceBytes = 4000;  // each take has it again
 
 // IEEE 754 binary16 by rounding to nearest, ties to even.
 std::uint16_t half_of(double number) {
@@ -196,7 +196,9 @@ FigureModel take_take(const CellDance& dance, Unpacker& unpacker) {
     return take;
 }
 
-void put_graph(const CellGraph& graph, Packer& packer) {
+}  // namespace
+
+void pack_graph(const CellGraph& graph, Packer& packer) {
     packer.put(graph.beat_seconds);
     packer.put(static_cast<std::uint32_t>(graph.cells.size()));
     for (const Cell& cell : graph.cells) {
@@ -218,13 +220,14 @@ void put_graph(const CellGraph& graph, Packer& packer) {
     }
 }
 
-CellGraph take_graph(const std::vector<FigureModel>& takes, Unpacker& unpacker) {
+Expected<CellGraph> unpack_graph(std::vector<CellTake> takes, Unpacker& unpacker) {
     CellGraph graph;
-    for (const FigureModel& take : takes) {
-        graph.takes.push_back({take.name, take.beats});
-    }
+    graph.takes = std::move(takes);
     graph.beat_seconds = unpacker.take<double>();
     const auto cells = unpacker.take<std::uint32_t>();
+    if (cells > kMostCells) {
+        return fail(fmt::format("has {} cells, must be {} at most", cells, kMostCells));
+    }
     for (std::uint32_t i = 0; i < cells && unpacker.is_good(); ++i) {
         Cell cell;
         cell.take = unpacker.take<std::uint16_t>();
@@ -251,10 +254,15 @@ CellGraph take_graph(const std::vector<FigureModel>& takes, Unpacker& unpacker) 
         arc.distance = static_cast<float>(millimetres) * 0.1F;
         graph.arcs.push_back(arc);
     }
+    if (!unpacker.is_good()) {
+        return fail("is damaged or cut off");
+    }
+    if (auto ok = validate(graph); !ok) {
+        return fail(std::move(ok.error()));
+    }
+    sort_energies(graph);
     return graph;
 }
-
-}  // namespace
 
 std::string cell_text(const CellDance& dance) {
     Packer packer(kMagic);
@@ -265,7 +273,7 @@ std::string cell_text(const CellDance& dance) {
     for (const FigureModel& take : dance.takes) {
         put_take(take, packer);
     }
-    put_graph(dance.graph, packer);
+    pack_graph(dance.graph, packer);
     std::string bytes = packer.take();
     const std::uint64_t sum = fast_hash_of(bytes);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
@@ -293,31 +301,46 @@ Expected<CellDance> parse_cells(std::string_view bytes, const std::string& name)
     dance.dance = unpacker.take_list<std::string>();
     dance.licence = unpacker.take_list<std::string>();
     const auto takes = unpacker.take<std::uint32_t>();
+    if (dance.licence.size() > kMostLicenceBytes) {
+        return fail(fmt::format("{}: has a licence of {} bytes, must be {} at most",
+                                name,
+                                dance.licence.size(),
+                                kMostLicenceBytes));
+    }
     if (takes > kMostTakes) {
         return fail(fmt::format("{}: has {} takes, must be {} at most", name, takes, kMostTakes));
     }
+    std::vector<CellTake> stretches;
+    int beats = 0;
     for (std::uint32_t i = 0; i < takes && unpacker.is_good(); ++i) {
         dance.takes.push_back(take_take(dance, unpacker));
         if (!unpacker.is_good()) {
             break;
         }
-        if (auto ok = validate(dance.takes.back()); !ok) {
+        const FigureModel& take = dance.takes.back();
+        stretches.push_back({take.name, take.beats});
+        beats += take.beats;
+        if (beats > kMostTakeBeats) {
+            return fail(fmt::format(
+                "{}: its takes have more than {} beats together", name, kMostTakeBeats));
+        }
+        if (auto ok = validate(take); !ok) {
             return fail(std::move(ok.error()).in(fmt::format("{}: takes[{}]", name, i)));
         }
     }
-    dance.graph = take_graph(dance.takes, unpacker);
-    if (!unpacker.is_good() || !unpacker.at_end()) {
+    auto graph = unpack_graph(std::move(stretches), unpacker);
+    if (!graph) {
+        return fail(std::move(graph.error()).in(name));
+    }
+    if (!unpacker.at_end()) {
         return fail(name + ": is damaged or cut off");
     }
-    if (auto ok = validate(dance.graph); !ok) {
-        return fail(std::move(ok.error()).in(name));
-    }
-    sort_energies(dance.graph);
+    dance.graph = std::move(*graph);
     return dance;
 }
 
 Expected<CellDance> load_cells(const std::filesystem::path& path) {
-    const auto bytes = read_file(path, kMostBytes);
+    const auto bytes = read_file(path, kMostCellBytes);
     return bytes ? parse_cells(*bytes, path.filename().string()) : fail(bytes.error());
 }
 

@@ -1,16 +1,19 @@
 #include "motion/dance/content_file.hpp"
 
 #include <cstdint>
+#include <cstring>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/hash.hpp"
 #include "base/packer.hpp"
+#include "motion/cells/cell_file.hpp"
 
 namespace raks::motion {
 namespace {
 
-constexpr std::string_view kBakedMagic = "raks-baked-2\n";  // format and its version
+constexpr std::string_view kBakedMagic = "raks-baked-3\n";  // format and its version
 constexpr std::uint32_t kMostFigures = 10'000;              // against absurd counts
 
 void pack_pose(const Pose& pose, Packer& packer) {
@@ -80,6 +83,7 @@ LibraryFigure unpack_figure(Unpacker& unpacker, const std::shared_ptr<const void
 
 std::string pack_content(const DanceContent& content) {
     Packer packer(kBakedMagic);
+    packer.put(static_cast<std::uint8_t>(content.cells ? 1 : 0));
     packer.put(content.generator);
     packer.put(content.metre.learnt_tempo);
     packer.put(content.metre.beats_per_bar);
@@ -90,6 +94,9 @@ std::string pack_content(const DanceContent& content) {
     for (const LibraryFigure& figure : content.figures) {
         pack_figure(figure, packer);
     }
+    if (content.cells) {
+        pack_graph(*content.cells, packer);
+    }
     std::string bytes = packer.take();
     // The hash of everything before it closes the file.
     const std::uint64_t sum = fast_hash_of(bytes);
@@ -97,10 +104,13 @@ std::string pack_content(const DanceContent& content) {
     return bytes;
 }
 
-Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
-                                      const Skeleton& skeleton,
-                                      const FigureGrammar& grammar) {
-    std::string_view bytes = *file;
+namespace {
+
+constexpr std::string_view kCutShort = "is cut short or of another program";
+constexpr std::string_view kOtherFigures = "has other figures than the grammar";
+
+// What lies between the magic and the hash. Errors: it is no such file, or damaged.
+Expected<std::string_view> body_of(std::string_view bytes) {
     std::uint64_t sum = 0;
     if (!bytes.starts_with(kBakedMagic) || bytes.size() < kBakedMagic.size() + sizeof sum) {
         return fail("is not a dance that was solved");
@@ -111,7 +121,11 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
     if (fast_hash_of(bytes) != sum) {
         return fail("is damaged");
     }
-    Unpacker unpacker(bytes.substr(kBakedMagic.size()));
+    return bytes.substr(kBakedMagic.size());
+}
+
+// All before the figures; the skeleton is that which it was solved for.
+DanceContent unpack_head(const Skeleton& skeleton, Unpacker& unpacker) {
     DanceContent content;
     content.skeleton = skeleton;
     content.generator = unpacker.take<Generator>();
@@ -120,9 +134,26 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
     content.couple = unpacker.take<FloorMove>();
     content.stage = unpacker.take<FloorMove>();
     content.rest = unpack_pose(unpacker);
+    return content;
+}
+
+}  // namespace
+
+Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
+                                      const Skeleton& skeleton,
+                                      const FigureGrammar& grammar) {
+    const auto body = body_of(*file);
+    if (!body) {
+        return fail(body.error());
+    }
+    Unpacker unpacker(*body);
+    if (unpacker.take<std::uint8_t>() != 0) {
+        return fail(std::string(kOtherFigures));
+    }
+    DanceContent content = unpack_head(skeleton, unpacker);
     const auto figures = unpacker.take<std::uint32_t>();
     if (figures > kMostFigures || figures != grammar.rules.size()) {
-        return fail("has other figures than the grammar");
+        return fail(std::string(kOtherFigures));
     }
     std::vector<bool> turns_half;
     for (std::uint32_t i = 0; i < figures && unpacker.is_good(); ++i) {
@@ -131,14 +162,46 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
         if (content.figures.back().name != grammar.rules[i].figure ||
             content.figures.back().passages.size() !=
                 static_cast<std::size_t>(DanceContent::kPassages)) {
-            return fail("has other figures than the grammar");
+            return fail(std::string(kOtherFigures));
         }
     }
     if (!unpacker.is_good() || !unpacker.at_end()) {
-        return fail("is cut short or of another program");
+        return fail(std::string(kCutShort));
     }
     content.chooser = FigureChooser(grammar, std::move(turns_half));
     take_rules(grammar, content);
+    return content;
+}
+
+Expected<DanceContent> unpack_cell_content(std::shared_ptr<const std::string> file,
+                                           const Skeleton& skeleton) {
+    const auto body = body_of(*file);
+    if (!body) {
+        return fail(body.error());
+    }
+    Unpacker unpacker(*body);
+    if (unpacker.take<std::uint8_t>() != 1) {
+        return fail("is not a dance of cells");
+    }
+    DanceContent content = unpack_head(skeleton, unpacker);
+    const auto figures = unpacker.take<std::uint32_t>();
+    std::vector<CellTake> takes;
+    for (std::uint32_t i = 0; i < figures && unpacker.is_good(); ++i) {
+        const LibraryFigure& take = content.figures.emplace_back(unpack_figure(unpacker, file));
+        // A piece of a take is read where its samples lie: they must be there.
+        if (take.passages.size() != 1 || !take.passages.front().covers(take.beats)) {
+            return fail(std::string(kCutShort));
+        }
+        takes.push_back({take.name, take.beats});
+    }
+    auto graph = unpack_graph(std::move(takes), unpacker);
+    if (!graph) {
+        return fail(std::move(graph.error()));
+    }
+    if (!unpacker.at_end()) {
+        return fail(std::string(kCutShort));
+    }
+    content.cells = std::make_shared<const CellGraph>(std::move(*graph));
     return content;
 }
 

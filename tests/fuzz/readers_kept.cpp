@@ -13,6 +13,7 @@
 #include "motion/figures/figure_model.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
+#include "tests/support/made_cells.hpp"
 
 namespace raks::fuzz {
 namespace {
@@ -36,58 +37,31 @@ KeptDance keep_dance() {
     return kept;
 }
 
-// The bytes with changes, each by four bytes for its place and one to put there; the hash at the
-// end is made to fit again, else nothing behind it would be tried.
+// The bytes with changes, each by four bytes for its place and one to put there; where four bytes
+// are left, it is cut there. The hash at the end is made to fit again, else nothing behind it would
+// be tried.
 std::string changed(std::string bytes, std::string_view changes) {
-    const std::size_t body = bytes.size() - sizeof(std::uint64_t);
+    std::size_t body = bytes.size() - sizeof(std::uint64_t);
     for (; changes.size() >= 5; changes.remove_prefix(5)) {
         std::uint32_t place = 0;
         std::memcpy(&place, changes.data(), sizeof place);
         bytes[place % body] = changes[4];
+    }
+    if (std::uint32_t place = 0; changes.size() == sizeof place) {
+        std::memcpy(&place, changes.data(), sizeof place);
+        body = place % body;
+        bytes.resize(body + sizeof(std::uint64_t));
     }
     const std::uint64_t sum = fast_hash_of(std::string_view(bytes).substr(0, body));
     std::memcpy(bytes.data() + body, &sum, sizeof sum);
     return bytes;
 }
 
-// A take of 8 beats, and its six cells in a ring.
-std::string small_cells() {
-    const auto text =
-        read_file(std::string(RAKS_SOURCE_DIR) + "/models/trained/salsa_basic_lead.json");
-    motion::CellDance dance;
-    dance.dance = "x";
-    dance.takes.push_back(motion::parse_figure(text.value(), "x.json").value());
-    motion::FigureModel& take = dance.takes.front();
-    for (auto& chances : take.contact) {
-        chances.assign(static_cast<std::size_t>(motion::kContactBinsPerBeat * take.beats), 1.0);
-    }
-    for (motion::PartModel& part : take.parts) {
-        const std::vector<motion::FigureState> states = part.states;
-        part.states.clear();
-        for (std::size_t k = 0; k < static_cast<std::size_t>(motion::kStatesPerBeat * take.beats);
-             ++k) {
-            part.states.push_back(states[k * states.size() / 64]);
-        }
-    }
-    motion::CellGraph& graph = dance.graph;
-    graph.takes.push_back({take.name, take.beats});
-    for (std::uint16_t beat = 1; beat < 7; ++beat) {
-        motion::Cell cell;
-        cell.beat = beat;
-        cell.energy = 0.5F;
-        cell.is_second_half = beat % 2 == 0;
-        graph.cells.push_back(cell);
-        graph.first_arc.push_back(0);
-    }
-    graph.first_arc.push_back(1);
-    graph.arcs.push_back({0, true, 9.0F});
-    return motion::cell_text(dance);
-}
-
 }  // namespace
 
 bool read_cells(std::string_view changes) {
-    static const std::string good = small_cells();
+    static const std::string good = motion::cell_text(
+        motion::test::made_cells(std::string(RAKS_SOURCE_DIR) + "/models/trained", "x"));
     const auto dance = motion::parse_cells(changed(good, changes), "x.cells");
     if (!dance) {
         must_be_one_line(dance.error().message);

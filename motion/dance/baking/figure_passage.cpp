@@ -316,6 +316,13 @@ FigurePassage FigurePassage::unpack(Unpacker& unpacker, std::shared_ptr<const vo
     return passage;
 }
 
+bool FigurePassage::covers(int beats) const noexcept {
+    // One sample more than slices: both ends are there. Written so that NaN does not cover.
+    const double slices = (static_cast<double>(beats) + 2.0 * kMargin) * samples_per_beat_;
+    return beats > 0 && samples_per_beat_ >= 1.0 &&
+           std::abs(static_cast<double>(samples_.size()) - 1.0 - slices) < 1.0;
+}
+
 namespace {
 
 constexpr double kStep = 0.125;  // beats between samples

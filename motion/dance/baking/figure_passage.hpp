@@ -75,6 +75,9 @@ class FigurePassage {
     /// used: check unpacker.is_good().
     [[nodiscard]] static FigurePassage unpack(Unpacker& unpacker,
                                               std::shared_ptr<const void> owner);
+    /// Whether there are the samples of a figure of so many beats, with its margins: a passage that
+    /// was unpacked may have others. Threads: any. Real-time: no.
+    [[nodiscard]] bool covers(int beats) const noexcept;
 
     /// The bones that a passage moves, hips and trunk first, then legs; the arms are the last
     /// kArmBones.

@@ -1,6 +1,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,8 +11,10 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings_table.hpp"
 #include "tests/engine/installed.hpp"
+#include "tests/support/made_cells.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -87,6 +91,77 @@ TEST(DanceCache, keeps_each_form_and_each_body_and_drops_what_is_older) {
     ASSERT_TRUE(larger);
     EXPECT_EQ(kept_in(folder).size(), 3U);
     EXPECT_FALSE((*larger)->packed() == waltz_from(DanceCache({}))->packed());
+}
+
+/// A folder with a dance of cells, and the catalogue that has it.
+class CellDances : public ::testing::Test {
+ protected:
+    void SetUp() override { write(0.5F); }
+    void write(float energy) const {
+        DanceInfo info;
+        info.name = "mine";
+        ASSERT_TRUE(add_to_folder(folder_.path(), info, made(energy)));
+    }
+    [[nodiscard]] static motion::CellDance made(float energy) {
+        return motion::test::made_cells((*data_path("models/trained")).string(), "mine", energy);
+    }
+    [[nodiscard]] std::string packed(const DanceCache& cache,
+                                     const motion::Skeleton& body = motion::mannequin_skeleton(),
+                                     const DanceForm& form = {}) const {
+        const auto catalogue = DanceCatalogue::load(folder_.path());
+        const auto library =
+            load_dance(*catalogue, "mine", body, motion::DanceRole::lead, form, cache);
+        EXPECT_TRUE(library) << library.error().message;
+        return library ? (*library)->packed() : std::string();
+    }
+
+    test::TemporaryFolder folder_;
+    test::TemporaryFolder kept_;
+};
+
+TEST_F(CellDances, are_solved_once_and_given_back_to_the_bit) {
+    const DanceCache cache(kept_.path());
+    const std::string solved = packed(cache);
+    ASSERT_EQ(kept_in(kept_).size(), 1U);
+    const std::filesystem::path file = kept_in(kept_)[0];
+    EXPECT_EQ(file.filename().string().rfind("mine-cells-", 0), 0U) << file;
+    const auto time = std::filesystem::last_write_time(file);
+    EXPECT_TRUE(packed(cache) == solved);
+    EXPECT_EQ(std::filesystem::last_write_time(file), time) << "solved once only";
+    EXPECT_TRUE(packed(DanceCache({})) == solved);
+}
+
+TEST_F(CellDances, are_solved_anew_for_other_cells_and_another_body) {
+    const DanceCache cache(kept_.path());
+    const std::string solved = packed(cache);
+    const std::filesystem::path before = kept_in(kept_).at(0);
+    write(0.6F);
+    EXPECT_FALSE(packed(cache) == solved);
+    ASSERT_EQ(kept_in(kept_).size(), 1U) << "the older one is dropped";
+    EXPECT_NE(kept_in(kept_)[0], before);
+    const auto larger = motion::scaled(motion::mannequin_skeleton(), 1.1F);
+    EXPECT_FALSE(packed(cache, larger) == packed(cache));
+    EXPECT_EQ(kept_in(kept_).size(), 2U);
+}
+
+TEST_F(CellDances, are_solved_anew_where_the_kept_file_is_damaged) {
+    const DanceCache cache(kept_.path());
+    const std::string solved = packed(cache);
+    const std::filesystem::path file = kept_in(kept_).at(0);
+    const std::string good = *read_file(file);
+    const std::string bad[] = {"",
+                               good.substr(0, 7),
+                               good.substr(0, good.size() / 2),
+                               good + "x",
+                               test::mangled(good, {1, 1}),
+                               test::mangled(good, {2, 40, 200}),
+                               waltz_from(DanceCache({}))->packed()};
+    for (const std::string& bytes : bad) {
+        ASSERT_TRUE(write_file(file, bytes));
+        EXPECT_EQ(DanceCache::find(file, motion::mannequin_skeleton()), nullptr) << bytes.size();
+        EXPECT_TRUE(packed(cache) == solved);
+        EXPECT_TRUE(*read_file(file) == good) << "it is mended";
+    }
 }
 
 TEST(DanceCache, does_without_a_folder_that_cannot_be_written) {
