@@ -122,8 +122,12 @@ void describe_moment(const ShownMoment& shown,
     state.dance =
         // While the dancer stands, no dance is named.
         shown.dancer.is_dancing ? dances.title_of(shown.dancer.dance) : std::string_view{};
-    state.figure_count = shown.dancer.count;
-    state.figure_counts = shown.dancer.counts;
+    // A take is longer than a figure and than there is room: its beats are counted by eights.
+    constexpr int kMostCounts = 16;
+    constexpr int kEight = 8;
+    const bool is_take = shown.dancer.counts > kMostCounts && shown.dancer.count > 0;
+    state.figure_count = is_take ? (shown.dancer.count - 1) % kEight + 1 : shown.dancer.count;
+    state.figure_counts = shown.dancer.counts > kMostCounts ? kEight : shown.dancer.counts;
     state.level_dbfs = shown.music.level_dbfs;
     state.loudness_lufs = shown.music.loudness_lufs;
 }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kTakeWorkers = 2;  // threads that solve takes
 
-// One take as it was danced, from its states alone, with planted feet.
+// One take as it was danced, from its states alone, with planted feet. Takes last minutes: they are
+// kept small.
 FigurePassage passage_of(const FigureModel& take, const Skeleton& skeleton) {
     FigureTracks tracks;
     for (const PartModel& part : take.parts) {
@@ -27,7 +28,7 @@ FigurePassage passage_of(const FigureModel& take, const Skeleton& skeleton) {
     for (std::vector<LandingOffset>& landings : footing.landings) {
         landings.resize(static_cast<std::size_t>(take.beats));
     }
-    return {take, steps, steps.poses, way, footing, nullptr, skeleton};
+    return FigurePassage(take, steps, steps.poses, way, footing, nullptr, skeleton).compact();
 }
 
 }  // namespace

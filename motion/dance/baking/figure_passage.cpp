@@ -278,40 +278,103 @@ void FigurePassage::take_signs_of(const FigurePassage& other) {
     set_samples(std::move(samples));
 }
 
+namespace {
+
+constexpr float kCompactSteps = 32767.0F;
+
+std::array<std::int16_t, 4> compact_of(const glm::quat& rotation) {
+    const auto step = [](float value) {
+        const float whole = std::isfinite(value) ? std::clamp(value, -1.0F, 1.0F) : 0.0F;
+        return static_cast<std::int16_t>(std::lround(whole * kCompactSteps));
+    };
+    return {step(rotation.w), step(rotation.x), step(rotation.y), step(rotation.z)};
+}
+
+const glm::quat& rotation_of(const glm::quat& rotation) noexcept { return rotation; }
+
+// Of unit length but for the rounding, which interpolation takes away.
+glm::quat rotation_of(const std::array<std::int16_t, 4>& compact) noexcept {
+    constexpr float kStep = 1.0F / kCompactSteps;
+    return {kStep * static_cast<float>(compact[0]),
+            kStep * static_cast<float>(compact[1]),
+            kStep * static_cast<float>(compact[2]),
+            kStep * static_cast<float>(compact[3])};
+}
+
+const glm::vec3& hips_of(const glm::vec3& hips) noexcept { return hips; }
+glm::vec3 hips_of(const std::array<float, 3>& hips) noexcept { return {hips[0], hips[1], hips[2]}; }
+
+}  // namespace
+
+FigurePassage FigurePassage::compact() const {
+    auto list = std::make_shared<std::vector<CompactSample>>();
+    list->reserve(samples_.size());
+    for (const Sample& sample : samples_) {
+        CompactSample& small = list->emplace_back();
+        std::transform(
+            sample.rotations.begin(), sample.rotations.end(), small.rotations.begin(), compact_of);
+        small.hips = {sample.hips.x, sample.hips.y, sample.hips.z};
+        small.contact = sample.contact;
+    }
+    FigurePassage passage;
+    passage.samples_per_beat_ = samples_per_beat_;
+    passage.compact_ = *list;
+    passage.owner_ = std::move(list);
+    return passage;
+}
+
 FigurePassage::Place FigurePassage::place_of(double beat) const noexcept {
-    const double last = static_cast<double>(samples_.size() - 1);
+    const double last = static_cast<double>(count() - 1);
     const double at = std::clamp((beat + kMargin) * samples_per_beat_, 0.0, last);
-    const auto i = std::min(static_cast<std::size_t>(at), samples_.size() - 2);
-    return {samples_[i], samples_[i + 1], static_cast<float>(at - static_cast<double>(i))};
+    const auto i = std::min(static_cast<std::size_t>(at), count() - 2);
+    return {i, static_cast<float>(at - static_cast<double>(i))};
+}
+
+template <typename Samples>
+void FigurePassage::set_rotations(const Samples& samples,
+                                  const Place& place,
+                                  std::size_t first,
+                                  Pose& pose) noexcept {
+    const auto& before = samples[place.before];
+    const auto& after = samples[place.before + 1];
+    for (std::size_t bone = first; bone < kBones.size(); ++bone) {
+        pose.rotation(kBones[bone]) = interpolate(
+            rotation_of(before.rotations[bone]), rotation_of(after.rotations[bone]), place.share);
+    }
+}
+
+template <typename Samples>
+void FigurePassage::set_body(const Samples& samples, const Place& place, Pose& pose) noexcept {
+    const auto& before = samples[place.before];
+    const auto& after = samples[place.before + 1];
+    set_rotations(samples, place, 0, pose);
+    pose.hips_position = glm::mix(hips_of(before.hips), hips_of(after.hips), place.share);
+    pose.foot_contact = place.share < 0.5F ? before.contact : after.contact;
 }
 
 void FigurePassage::at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING {
     const Place place = place_of(beat);
-    for (std::size_t bone = 0; bone < kBones.size(); ++bone) {
-        pose.rotation(kBones[bone]) =
-            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
-    }
-    pose.hips_position = glm::mix(place.before.hips, place.after.hips, place.share);
-    pose.foot_contact = place.share < 0.5F ? place.before.contact : place.after.contact;
+    compact_.empty() ? set_body(samples_, place, pose) : set_body(compact_, place, pose);
 }
 
 void FigurePassage::arms_at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING {
     const Place place = place_of(beat);
-    for (std::size_t bone = kBones.size() - kArmBones; bone < kBones.size(); ++bone) {
-        pose.rotation(kBones[bone]) =
-            interpolate(place.before.rotations[bone], place.after.rotations[bone], place.share);
-    }
+    constexpr std::size_t kFirst = kBones.size() - kArmBones;
+    compact_.empty() ? set_rotations(samples_, place, kFirst, pose)
+                     : set_rotations(compact_, place, kFirst, pose);
 }
 
 void FigurePassage::pack(Packer& packer) const {
     packer.put(samples_per_beat_);
     packer.put_block(samples_);
+    packer.put_block(compact_);
 }
 
 FigurePassage FigurePassage::unpack(Unpacker& unpacker, std::shared_ptr<const void> owner) {
     FigurePassage passage;
     passage.samples_per_beat_ = unpacker.take<double>();
     passage.samples_ = unpacker.take_block<Sample>();
+    passage.compact_ = unpacker.take_block<CompactSample>();
     passage.owner_ = std::move(owner);
     return passage;
 }
@@ -319,8 +382,8 @@ FigurePassage FigurePassage::unpack(Unpacker& unpacker, std::shared_ptr<const vo
 bool FigurePassage::covers(int beats) const noexcept {
     // One sample more than slices: both ends are there. Written so that NaN does not cover.
     const double slices = (static_cast<double>(beats) + 2.0 * kMargin) * samples_per_beat_;
-    return beats > 0 && samples_per_beat_ >= 1.0 &&
-           std::abs(static_cast<double>(samples_.size()) - 1.0 - slices) < 1.0;
+    return beats > 0 && samples_per_beat_ >= 1.0 && (samples_.empty() || compact_.empty()) &&
+           std::abs(static_cast<double>(count()) - 1.0 - slices) < 1.0;
 }
 
 namespace {
