@@ -254,6 +254,20 @@ Expected<audio::AudioSystem> system_with_loop() {
     return jack ? std::move(jack) : audio::AudioSystem::open();
 }
 
+// The dance that is wanted, or the first one that has figures: the landings of takes are not told
+// one by one.
+std::string dance_of_figures(const engine::DanceCatalogue& catalogue, const std::string& wanted) {
+    const engine::CatalogueEntry* const entry = catalogue.find(wanted);
+    if (entry != nullptr && entry->has_figures) {
+        return wanted;
+    }
+    const auto& all = catalogue.entries();
+    const auto first = std::find_if(all.begin(), all.end(), [](const engine::CatalogueEntry& each) {
+        return each.has_figures;
+    });
+    return first == all.end() ? wanted : first->info.name;
+}
+
 }  // namespace
 
 Expected<BenchReport> bench_latency(double seconds) {
@@ -274,10 +288,14 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!setup) {
         return fail(setup.error());
     }
-    const std::string dance = engine::dance_to_load(settings, *setup->catalogue.list());
+    const std::string dance = dance_of_figures(
+        setup->catalogue, engine::dance_to_load(settings, *setup->catalogue.list()));
     // The figures' models are needed for their learnt landings, the library for dancing.
-    const auto parts = setup->catalogue.read(dance, motion::DanceRole::lead, {});
-    const auto library = engine::load_dance(setup->catalogue, dance, setup->skeleton);
+    engine::DanceForm form;
+    form.material = engine::Material::written;
+    const auto parts = setup->catalogue.read(dance, motion::DanceRole::lead, form);
+    const auto library =
+        engine::load_dance(setup->catalogue, dance, setup->skeleton, motion::DanceRole::lead, form);
     auto player = audio::FilePlayer::start({file.path()});
     if (!parts) {
         return fail(parts.error());

@@ -194,11 +194,14 @@ ExitCode sheet(const SheetArguments& given) {
     if (!named) {
         return fail(named.error());
     }
-    auto studio = SheetStudio::open(*look, best_quality(*look));
+    // The figures of hundreds of beats are small: shadows are drawn where somebody asks for them.
+    const bool is_of_cells = (*library)->cells() != nullptr;
+    const bool is_fast = is_of_cells && is_sheet && look->quality != render::Quality::high;
+    auto studio = SheetStudio::open(*look, is_fast ? render::Quality::fast : best_quality(*look));
     if (!studio) {
         return fail(studio.error());
     }
-    if ((*library)->cells() != nullptr) {
+    if (is_of_cells) {
         return exit_code_of(draw_takes(arguments, **library, *named, dance, plan, *studio));
     }
     // The first figure when none is named.

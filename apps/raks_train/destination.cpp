@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/terminal/say.hpp"
+#include "base/file.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "motion/figures/figure_model.hpp"
 
@@ -19,6 +20,14 @@ bool is_folder(const std::string& output) {
     std::error_code ignored;
     return output.find('/') != std::string::npos || output == "." || output == ".." ||
            fs::is_directory(output, ignored);
+}
+
+// Figures are not danced where there are takes, unless somebody asks for them.
+void say_of_takes(const fs::path& folder, const DanceInfo& dance) {
+    if (is_there(engine::cells_path(folder, dance.name))) {
+        say(fmt::format("{} has takes of people, too: --material written dances its figures",
+                        dance.name));
+    }
 }
 
 }  // namespace
@@ -73,6 +82,7 @@ Expected<void> deliver(const Destination& destination,
                     dance.name,
                     destination.folder.string(),
                     destination.is_installed ? dance.name : destination.folder.string()));
+    say_of_takes(destination.folder, dance);
     return {};
 }
 

@@ -22,11 +22,12 @@ std::string summary_of(const motion::CellDance& dance, const motion::CellSurvey&
     const motion::CellGraph& graph = dance.graph;
     const auto cells = static_cast<double>(graph.cells.size());
     std::string text = fmt::format(
-        "{}: {} cells of {} takes, {:.1f} arcs each; {} reach each other\n"
+        "{}: {} cells of {} {}, {:.1f} arcs each; {} reach each other\n"
         "rests {}, endings {}, of the greatest {}\n",
         dance.dance,
         graph.cells.size(),
         graph.takes.size(),
+        graph.takes.size() == 1 ? "take" : "takes",
         static_cast<double>(graph.arcs.size()) / cells,
         survey.connected,
         survey.rest.cells,

@@ -8,6 +8,7 @@
 #include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/dance_list.hpp"
+#include "base/file.hpp"
 #include "training/cells/cell_training.hpp"
 
 namespace raks::apps {
@@ -79,6 +80,9 @@ ExitCode train_take(const TrainTakeArguments& arguments) {
         return fail(added.error());
     }
     say(fmt::format("{} lies in {}", plan.dance, destination->folder.string()));
+    if (is_there(engine::grammar_path(destination->folder, plan.dance))) {
+        say(fmt::format("{} has figures, too: --material written dances them", plan.dance));
+    }
     return kExitDone;
 }
 

@@ -80,6 +80,25 @@ TEST_F(TrainTake, what_takes_do_not_have_is_refused_in_one_line) {
     expect_one_line(frames, 1, "mine is a dance of whole takes");
 }
 
+TEST_F(TrainTake, its_cells_are_drawn_and_reported) {
+    ASSERT_EQ(train().exit_code, 0);
+    const std::string cells = path("share/raks/dances/mine/mine.cells");
+    const ProcessResult reported = run({"train", "report", cells, "-o", path("x.html")});
+    ASSERT_EQ(reported.exit_code, 0) << reported.err;
+    EXPECT_NE(reported.out.find("mine: 36 cells of 1 take, "), std::string::npos) << reported.out;
+    const auto page = read_text_file(folder_ / "x.html", 1'000'000);
+    ASSERT_TRUE(page);
+    EXPECT_NE(page->find("How mine hangs together"), std::string::npos);
+    expect_one_line(
+        {"train", "report", path("mine.bvh"), "-o", path("x.html")}, 1, "--labels is required");
+    const ProcessResult drawn = run({"sheet", "--dance", "mine", "-o", path("x.png")});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_TRUE(fs::exists(path("x.png")));
+    expect_one_line({"sheet", "--dance", "mine", "--figure", "mine_1", "-o", path("y.png")},
+                    1,
+                    "take \"mine_1\" is unknown; did you mean \"mine_0\"?");
+}
+
 TEST_F(TrainTake, tables_that_make_no_dance_are_refused_in_one_line) {
     write_table(0);
     const ProcessResult unused = train();

@@ -6,12 +6,14 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/dance_folder.hpp"
+#include "engine/setup/dancers.hpp"
 #include "engine/setup/settings_table.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/made_cells.hpp"
@@ -162,6 +164,107 @@ TEST_F(CellDances, are_solved_anew_where_the_kept_file_is_damaged) {
         EXPECT_TRUE(packed(cache) == solved);
         EXPECT_TRUE(*read_file(file) == good) << "it is mended";
     }
+}
+
+/// The same dance with a figure, too.
+class DancesOfBoth : public CellDances {
+ protected:
+    void SetUp() override {
+        CellDances::SetUp();
+        auto figure = motion::load_figure(*data_path("models/trained/salsa_basic_lead.json"));
+        ASSERT_TRUE(figure) << figure.error().message;
+        figure->dance = "mine";
+        const LearntFigure learnt{&*figure};
+        DanceInfo info;
+        info.name = "mine";
+        ASSERT_TRUE(add_to_folder(folder_.path(), info, {&learnt, 1}));
+        settings_.dance = "mine";
+    }
+    [[nodiscard]] DanceCatalogue catalogue() const { return *DanceCatalogue::load(folder_.path()); }
+    [[nodiscard]] bool is_danced_of_cells(const DanceForm& form,
+                                          motion::DanceRole role = motion::DanceRole::lead) const {
+        const auto library = load_dance(catalogue(),
+                                        "mine",
+                                        motion::mannequin_skeleton(),
+                                        role,
+                                        form,
+                                        DanceCache(kept_.path()));
+        EXPECT_TRUE(library) << library.error().message;
+        return library && (*library)->cells() != nullptr;
+    }
+    Settings settings_;
+};
+
+TEST_F(DancesOfBoth, are_danced_of_takes_unless_something_else_is_asked_for) {
+    EXPECT_TRUE(is_danced_of_cells({}));
+    EXPECT_FALSE(is_danced_of_cells({.material = Material::written}));
+    EXPECT_FALSE(is_danced_of_cells({.generator = motion::Generator::frames}));
+    EXPECT_FALSE(is_danced_of_cells({.features = motion::FigureFeatures::positions}));
+    EXPECT_FALSE(is_danced_of_cells({.company = Company::couple}));
+    EXPECT_TRUE(material_notes(settings_, catalogue()).empty());
+    settings_.material = "written";
+    EXPECT_TRUE(material_notes(settings_, catalogue()).empty());
+}
+
+TEST_F(DancesOfBoth, say_in_a_line_why_they_are_danced_of_figures) {
+    settings_.formation = "couple";
+    EXPECT_EQ(material_notes(settings_, catalogue()),
+              std::vector<std::string>{
+                  "material: mine is danced of figures: takes of people are for one dancer"});
+    settings_.formation = "solo";
+    settings_.generator = "frames";
+    EXPECT_EQ(material_notes(settings_, catalogue()),
+              std::vector<std::string>{"material: mine is danced of figures: takes of people are "
+                                       "not of --generator frames"});
+}
+
+TEST_F(DancesOfBoth, are_danced_of_both_in_turn) {
+    settings_.material = "both";
+    settings_.formation = "grid";
+    settings_.dancers = 5;
+    const auto larger = motion::scaled(motion::mannequin_skeleton(), 1.1F);
+    for (const bool has_two_bodies : {false, true}) {
+        std::vector<motion::Skeleton> bodies = {motion::mannequin_skeleton()};
+        if (has_two_bodies) {
+            bodies.push_back(larger);
+        }
+        const auto dancers = Dancers::load(settings_, catalogue(), bodies);
+        ASSERT_TRUE(dancers) << dancers.error().message;
+        ASSERT_EQ(dancers->cast().size(), 5U);
+        std::set<std::pair<bool, float>> seen;  // cells, height
+        for (const motion::EnsembleMember& member : dancers->cast()) {
+            const auto& repertoire = *member.body.repertoire;
+            seen.emplace(repertoire.of(repertoire.first())->cells() != nullptr,
+                         member.body.skeleton.hips_height());
+        }
+        EXPECT_EQ(seen.size(), 2U * bodies.size()) << "every body dances both";
+    }
+    // The first dancer by the seed.
+    EXPECT_EQ(form_of(settings_).material, Material::people);
+    settings_.seed = 2;
+    EXPECT_EQ(form_of(settings_).material, Material::written);
+}
+
+TEST_F(CellDances, are_danced_of_takes_where_they_have_no_figures) {
+    Settings settings;
+    settings.dance = "mine";
+    settings.material = "written";
+    const auto catalogue = DanceCatalogue::load(folder_.path());
+    EXPECT_EQ(
+        material_notes(settings, *catalogue),
+        std::vector<std::string>{"material: mine has no figures: takes of people are danced"});
+    EXPECT_FALSE(packed(DanceCache({}), motion::mannequin_skeleton(), form_of(settings)).empty());
+    DanceForm couple;
+    couple.company = Company::couple;
+    const auto follow = load_dance(*catalogue,
+                                   "mine",
+                                   motion::mannequin_skeleton(),
+                                   motion::DanceRole::follow,
+                                   couple,
+                                   DanceCache({}));
+    ASSERT_FALSE(follow);
+    EXPECT_EQ(follow.error().message.find("mine is danced alone; a couple dances "), 0U)
+        << follow.error().message;
 }
 
 TEST(DanceCache, does_without_a_folder_that_cannot_be_written) {
