@@ -268,10 +268,11 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     if (!trials) {
         return fail(trials.error());
     }
-    const auto cast = cast_of(measured, *figures);
+    auto cast = cast_of(measured, *figures);
     if (!cast) {
         return fail(cast.error());
     }
+    cast->landings = engine::judged_landings(*setup->catalogue.find(report.dance.name));
     // Clips before trials: a fault in them should not cost the minute that the trials take.
     auto people = people_of(arguments, report.role, *figures);
     if (!people) {

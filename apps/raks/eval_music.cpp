@@ -10,6 +10,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/evaluate/form_scores.hpp"
+#include "audio/evaluate/repeat_scores.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
 #include "audio/song/song_plan.hpp"
@@ -83,6 +84,7 @@ Expected<audio::GeneratedMusic> song_of(audio::Style style, std::uint64_t seed, 
 Expected<void> listen(const audio::GeneratedMusic& music,
                       Nanos beat,
                       const engine::AnalyzerModels& models,
+                      audio::RepeatScore& repeats,
                       MusicReport& report) {
     const std::vector<audio::TrueEvent> truth = truth_of(music, beat);
     auto live = engine::make_analyzer(music.rate, models);
@@ -95,10 +97,12 @@ Expected<void> listen(const audio::GeneratedMusic& music,
     score_form(truth, heard.events, report.live);
     song->process(music.samples);
     Told known;
-    for (const MusicState& state : song->finish().states) {
+    const audio::SongPlan plan = song->finish();
+    for (const MusicState& state : plan.states) {
         known.on_state(state);
     }
     score_form(truth, known.events, report.ahead);
+    repeats += score_repeats(audio::true_bars(music), plan.states);
     return {};
 }
 
@@ -110,10 +114,14 @@ ExitCode eval_music(const EvalMusicArguments& arguments) {
         return fail(models.error());
     }
     MusicReport report;
+    for (const audio::Style style : kStyles) {
+        report.repeats.emplace_back(audio::name_of(style), audio::RepeatScore{});
+    }
     ProgressLine progress("listening");
     const int songs = arguments.songs * static_cast<int>(kStyles.size());
     for (int i = 0; i < songs && !stop_signal(); ++i) {
-        const auto style = kStyles[static_cast<std::size_t>(i) % kStyles.size()];
+        const std::size_t of_style = static_cast<std::size_t>(i) % kStyles.size();
+        const auto style = kStyles[of_style];
         const auto seed = static_cast<std::uint64_t>(arguments.seed) +
                           static_cast<std::uint64_t>(i) / kStyles.size();
         const auto music = song_of(style, seed, arguments.seconds);
@@ -121,7 +129,8 @@ ExitCode eval_music(const EvalMusicArguments& arguments) {
             return fail(music.error());
         }
         const Nanos beat = nanos_from_seconds(audio::usual_tempo(style).seconds_per_beat());
-        if (auto heard = listen(*music, beat, *models, report); !heard) {
+        if (auto heard = listen(*music, beat, *models, report.repeats[of_style].second, report);
+            !heard) {
             return fail(heard.error());
         }
         report.minutes += arguments.seconds / 60.0;

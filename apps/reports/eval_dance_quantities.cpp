@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "apps/reports/eval_dance_report.hpp"
+#include "motion/choreography/figure_measures.hpp"
 
 namespace raks::apps {
 namespace {
@@ -81,6 +83,16 @@ constexpr DanceQuantity kQuantities[] = {
      [](const MeasuredDance& d) { return Value(static_cast<double>(d.result.landing.unexpected)); },
      no_bound},
     {Topic::landing,
+     "landings_off_beat_share",
+     "off beat",
+     3,
+     [](const MeasuredDance& d) {
+         const auto off = static_cast<double>(d.result.landing.off_beat);
+         const double all = off + static_cast<double>(d.result.landing.landings.size());
+         return value_if(off > 0.0, off / std::max(all, 1.0));
+     },
+     no_bound},
+    {Topic::landing,
      "danced_share",
      "danced",
      2,
@@ -137,6 +149,20 @@ constexpr DanceQuantity kQuantities[] = {
      1,
      [](const MeasuredDance& d) { return Value(1e3 * d.result.lowest_sole); },
      [](TrialKind, const JerkStandard&) { return Limit({.lowest = -5.0}); }},
+    {Topic::feet,
+     "hand_clearance_cm",
+     "hand clear cm",
+     1,
+     [](const MeasuredDance& d) { return value_if(is_trial(d), 1e2 * d.result.hand_clearance); },
+     [](TrialKind, const JerkStandard&) {
+         return Limit({.lowest = -1e2 * motion::kMostHandDepth});
+     }},
+    {Topic::feet,
+     "joint_excess_degrees",
+     "joint over deg",
+     1,
+     [](const MeasuredDance& d) { return value_if(is_trial(d), d.result.joint_excess); },
+     no_bound},
     // smoothness: bounds from people, see jerk_standard()
     {Topic::smoothness,
      "jerk_rms",

@@ -55,6 +55,25 @@ std::array<std::pair<const char*, const audio::FormScores*>, 2> ways_of(const Mu
     return {{{"live", &report.live}, {"ahead", &report.ahead}}};
 }
 
+// A style's repeats, and those of all together.
+template <typename Take>
+void each_style(const MusicReport& report, const Take& take) {
+    audio::RepeatScore all;
+    for (const auto& [style, score] : report.repeats) {
+        take(style, score);
+        all += score;
+    }
+    take(std::string_view("all"), all);
+}
+
+Row row_of(std::string_view style, const audio::RepeatScore& score) {
+    return {std::string(style),
+            fmt::format("{}/{}", score.found, score.wanted),
+            fmt::format("{:.1f}", 100.0 * score.recall()),
+            fmt::format("{}/{}", score.right, score.told),
+            fmt::format("{:.1f}", 100.0 * score.precision())};
+}
+
 }  // namespace
 
 std::string to_text(const MusicReport& report) {
@@ -66,6 +85,11 @@ std::string to_text(const MusicReport& report) {
         });
         text += "\n" + text_table(rows);
     }
+    std::vector<Row> rows = {{"bars that repeat", "found", "%", "right", "%"}};
+    each_style(report, [&](std::string_view style, const audio::RepeatScore& score) {
+        rows.push_back(row_of(style, score));
+    });
+    text += "\n" + text_table(rows);
     return text;
 }
 
@@ -85,6 +109,12 @@ std::string to_json(const MusicReport& report) {
                 {"delay_p95_s", percentile(score.delays, 0.95)}};
         });
     }
+    each_style(report, [&](std::string_view style, const audio::RepeatScore& score) {
+        document["repeats"][std::string(style)] = {{"wanted", score.wanted},
+                                                   {"found", score.found},
+                                                   {"told", score.told},
+                                                   {"right", score.right}};
+    });
     return document.text(2) + "\n";
 }
 

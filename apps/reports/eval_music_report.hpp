@@ -1,8 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "audio/evaluate/form_scores.hpp"
+#include "audio/evaluate/repeat_scores.hpp"
 
 namespace raks::apps {
 
@@ -11,6 +15,8 @@ struct MusicReport {
     double minutes = 0.0;     ///< of songs
     audio::FormScores live;   ///< as it came
     audio::FormScores ahead;  ///< of the whole song, before it sounded
+    /// By style: bars of parts that come again, in songs that are known.
+    std::vector<std::pair<std::string_view, audio::RepeatScore>> repeats;
 };
 
 /// A table by event for each way.

@@ -57,6 +57,7 @@ struct MusicRow {
     Written written = Written::twice_a_second;
     std::array<MusicField, kMostFields> fields{};  ///< those that are there come first
     double panel_height = 64.0;                    ///< as PlotSheet::PanelPlan
+    bool is_of_known_songs = false;                ///< live it is never told
     /// Where Written::when_it_happens: whether it does at this hop.
     bool (*happens)(const MusicState&) = nullptr;
     /// What stands at `time`.
@@ -136,6 +137,29 @@ inline constexpr auto kMusicTable = std::to_array<MusicRow>({
                   .what = "within 70 ms of a beat"}}},
      .happens = [](const MusicState& s) { return s.accent.strength > 0.0F; },
      .time = [](const MusicState& s) { return s.accent.time; }},
+    {.name = "bars",
+     .title = "Bars of a song that is known",
+     .written = Written::when_it_happens,
+     .fields = {{{.key = "bar",
+                  .value = [](const MusicState& s)
+                      -> MusicValue { return static_cast<double>(s.ahead.bar); },
+                  .what = "its number, from the first that can be danced to",
+                  .high = 32767.0,
+                  .decimals = 0},
+                 {.key = "repeats",
+                  .value = [](const MusicState& s)
+                      -> MusicValue { return static_cast<double>(s.ahead.repeats[0]); },
+                  .what =
+                      "the earliest bar that it repeats, as a part that comes again; -1: it is new",
+                  .low = -1.0,
+                  .high = 32767.0,
+                  .decimals = 0}}},
+     .is_of_known_songs = true,
+     .happens =
+         [](const MusicState& s) {
+             return s.ahead.bar >= 0 && s.has_beat && s.beat.bar_position == 1;
+         },
+     .time = [](const MusicState& s) { return s.beat.time; }},
 });
 
 /// A number for each field of the table: [row][field].

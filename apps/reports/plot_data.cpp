@@ -97,6 +97,7 @@ Expected<void> PlotData::prepare(SampleRate rate) {
     parts_.clear();
     events_.clear();
     accents_.clear();
+    bars_.clear();
     return windows_.prepare(rate);
 }
 
@@ -194,6 +195,9 @@ void PlotData::add(const MusicState& state) {
     }
     if (state.accent.strength > 0.0F) {
         accents_.push_back(state.accent);
+    }
+    if (state.ahead.bar >= static_cast<int>(bars_.size())) {
+        bars_.push_back({state.time, state.ahead.repeats[0]});
     }
 }
 

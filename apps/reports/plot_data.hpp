@@ -37,6 +37,12 @@ struct PlotPart {
     MusicPart part = MusicPart::stopped;  ///< until the next one
 };
 
+/// A bar of a song that is known.
+struct PlotBar {
+    StreamTime time{};  ///< at which it begins
+    int repeats = -1;   ///< the earlier bar that it repeats; -1: none
+};
+
 /// The data of a picture of an analysis, in bounded memory for a file of any length: when the
 /// columns are full, neighbours are merged. Threads: one. Real-time: no.
 class PlotData {
@@ -70,6 +76,8 @@ class PlotData {
     [[nodiscard]] std::span<const MusicEvent> events() const noexcept { return events_; }
     /// Its accents, ascending.
     [[nodiscard]] std::span<const MusicAccent> accents() const noexcept { return accents_; }
+    /// The bars of a song that is known, by number; empty: it came live.
+    [[nodiscard]] std::span<const PlotBar> bars() const noexcept { return bars_; }
     /// Length of the file in seconds, as finish() was told.
     [[nodiscard]] double duration() const noexcept { return duration_; }
 
@@ -88,6 +96,7 @@ class PlotData {
     std::vector<PlotPart> parts_;
     std::vector<MusicEvent> events_;
     std::vector<MusicAccent> accents_;
+    std::vector<PlotBar> bars_;
     double duration_ = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "apps/reports/music_table.hpp"
@@ -106,6 +107,46 @@ void Plotter::form() {
                                music_event_name(event.kind)));
     }
     stroke(lines, kRed, 1.2);
+    sheet_.end_panel();
+}
+
+// A stretch that comes again has the colour of its first time, which lies in the row above.
+void Plotter::repeats() {
+    const auto bars = data_.bars();
+    if (bars.empty()) {
+        return;
+    }
+    const Panel panel = sheet_.begin_panel(
+        {"repeats", "Bars that come again, under their first times", "", 28.0, 0.0, 1.0});
+    const auto x_of = [&](std::size_t bar) {
+        return sheet_.x(bar < bars.size() ? to_seconds(bars[bar].time) : data_.duration());
+    };
+    constexpr std::array<const char*, 5> kColours = {kBlue, kOrange, kGreen, kRed, kTeal};
+    const auto draw = [&](std::size_t first, std::size_t end, double row, const char* colour) {
+        sheet_.raw(
+            fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"10\" "
+                        "fill=\"{}\"/>\n",
+                        x_of(first) + 1.0,
+                        panel.top + row,
+                        std::max(0.0, x_of(end) - x_of(first) - 2.0),
+                        colour));
+    };
+    std::map<int, const char*> colours;  // by the first bar of the first time
+    for (std::size_t bar = 0; bar < bars.size();) {
+        std::size_t end = bar + 1;
+        while (end < bars.size() && bars[bar].repeats >= 0 &&
+               bars[end].repeats == bars[end - 1].repeats + 1) {
+            ++end;
+        }
+        if (bars[bar].repeats >= 0) {
+            const auto first = static_cast<std::size_t>(bars[bar].repeats);
+            const auto found =
+                colours.try_emplace(bars[bar].repeats, kColours[colours.size() % kColours.size()]);
+            draw(first, first + (end - bar), 3.0, found.first->second);
+            draw(bar, end, 15.0, found.first->second);
+        }
+        bar = end;
+    }
     sheet_.end_panel();
 }
 

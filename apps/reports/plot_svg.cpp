@@ -58,6 +58,7 @@ Expected<std::string> Plotter::draw() {
     confidence();
     numbers();
     form();
+    repeats();
     accents();
     return sheet_.finish();
 }

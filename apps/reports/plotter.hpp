@@ -87,6 +87,8 @@ class Plotter {
     /// The panel of a row of kMusicTable; none where nothing of it is drawn.
     void numbers_of(std::size_t row);
     void form();
+    /// Of a song that is known, the stretches of bars that repeat earlier ones.
+    void repeats();
     void accents();
 
     const PlotData& data_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "audio/form/accent_detector.hpp"
+#include "audio/song/song_bars.hpp"
 #include "audio/song/song_energy.hpp"
 #include "audio/song/song_pauses.hpp"
 #include "audio/song/song_sections.hpp"
@@ -209,6 +210,7 @@ void write_form(const SongRecording& song,
     write_accents(song.sounds, peaks, strongest, states);
     write_parts(pauses, breakdowns, states);
     write_events(events_of(pauses, breakdowns, last_onset(peaks), states.size()), states);
+    write_bars(song, beats, states);
 }
 
 }  // namespace raks::audio

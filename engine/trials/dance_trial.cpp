@@ -7,7 +7,9 @@
 #include "base/statistics.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/trials/danced_figures.hpp"
+#include "motion/choreography/joint_limits.hpp"
 #include "motion/evaluate/couple_measures.hpp"
+#include "motion/skeleton/body_capsules.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::engine {
@@ -84,6 +86,19 @@ double lowest_sole(const motion::Skeleton& skeleton, std::span<const motion::Pos
         }
     }
     return static_cast<double>(lowest);
+}
+
+// Adds what single poses are: hands in the body, joints beyond their limits, soles.
+void measure_poses(const motion::Skeleton& skeleton, TrialResult& result) {
+    result.lowest_sole = lowest_sole(skeleton, result.poses);
+    result.hand_clearance = 1e9;
+    for (const motion::Pose& pose : result.poses) {
+        const auto clearance = static_cast<double>(motion::hand_clearance(skeleton, pose).metres);
+        result.hand_clearance = std::min(result.hand_clearance, clearance);
+        if (const auto joint = motion::worst_joint(pose)) {
+            result.joint_excess = std::max(result.joint_excess, joint->beyond());
+        }
+    }
 }
 
 // Count times of the figures that were danced from count 1 to the next, not left for right: only
@@ -195,10 +210,11 @@ CoupleResult couple_of(const motion::Skeleton& skeleton,
 
 // All measures of one trial from the recorded dance.
 TrialResult result_of(const DanceTrial& trial,
-                      const motion::Skeleton& skeleton,
+                      const TrialCast& cast,
                       const RecordDance& record,
                       const audio::GeneratedMusic& music,
                       std::span<const motion::FigureModel> models) {
+    const motion::Skeleton& skeleton = cast.skeleton();
     const std::vector<DancedFigure> figures = danced_figures(record.hops, music.beats, models);
     const motion::BodyTrack track =
         motion::body_track(skeleton, record.poses(), kTrialPosesPerSecond);
@@ -206,7 +222,7 @@ TrialResult result_of(const DanceTrial& trial,
     // Landings are judged against the beats of the music, never against the dancer's own phase.
     const std::vector<motion::AudibleCount> counts =
         audible_counts(figures, {.from = trial.judged_from, .to = trial.judged_to});
-    result.landing = motion::landing_errors(track, counts);
+    result.landing = motion::landing_errors(track, counts, cast.landings);
     motion::DanceSubject subject;
     subject.frames = frames_of(record, figures);
     subject.repeats = whole_repeats(figures);
@@ -217,7 +233,6 @@ TrialResult result_of(const DanceTrial& trial,
     // too. The pace still scales it.
     const std::vector<bool> all(track.frames(), true);
     result.highest_jerk = motion::jerk_of(track, {all, subject.frames.pace}).highest;
-    result.lowest_sole = lowest_sole(skeleton, record.poses());
     double settled = 0.0;
     for (std::size_t f = 0; f < track.frames(); ++f) {
         if (subject.frames.counted[f]) {
@@ -236,6 +251,7 @@ TrialResult result_of(const DanceTrial& trial,
     result.danced_share = static_cast<double>(dancing) / static_cast<double>(record.hops.size());
     result.reanchors = static_cast<int>(record.hops.back().reanchors);
     result.poses = record.poses();
+    measure_poses(skeleton, result);
     return result;
 }
 
@@ -256,7 +272,7 @@ Expected<TrialResult> run_trial(const DanceTrial& trial,
     RecordDance record(cast.measured);
     driver->feed(music->mono(), record);
     driver->finish(record);
-    return result_of(trial, cast.skeleton(), record, *music, models);
+    return result_of(trial, cast, record, *music, models);
 }
 
 }  // namespace raks::engine

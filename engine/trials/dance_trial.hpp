@@ -63,6 +63,8 @@ struct TrialResult {
     motion::DanceMeasures measures;  ///< while dancing, from 4 s after each start
     double highest_jerk = 0.0;       ///< of all frames, starts and stops too; m/s^3, by pace
     double lowest_sole = 0.0;        ///< ball, toe tip or heel of any pose over the floor; metres
+    double hand_clearance = 0.0;     ///< least of a hand from the body, negative: inside; metres
+    double joint_excess = 0.0;       ///< greatest angle beyond worst_joint()'s limits; degrees
     double danced_share = 0.0;       ///< of the time
     double pace = 0.0;               ///< mean tempo danced / learnt, while dancing
     int reanchors = 0;               ///< how often the dancer set its phase anew
@@ -72,9 +74,10 @@ struct TrialResult {
 
 /// Who dances a trial, alone or as a couple, and which of them is measured.
 struct TrialCast {
-    AnalyzerModels models;     ///< of the analyzer
-    Cast cast;                 ///< one or two members
-    std::size_t measured = 0;  ///< index of the measured member
+    AnalyzerModels models;              ///< of the analyzer
+    Cast cast;                          ///< one or two members
+    std::size_t measured = 0;           ///< index of the measured member
+    motion::JudgedLandings landings{};  ///< that are judged
 
     /// The body of the measured member.
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept {

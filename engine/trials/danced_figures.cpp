@@ -31,12 +31,12 @@ struct Stretch {
 // Time of a hop from the stream's start.
 double seconds_of(std::size_t hop) { return static_cast<double>(hop) / kHopsPerSecond; }
 
-// True while the same figure goes on: the same name, octave and anchoring, and a phase that does
-// not fall back.
+// True while the same figure goes on: the same name, number, octave and anchoring, and a phase that
+// does not fall back. A piece of a take may be followed by a later piece of the same take.
 bool goes_on(const DancerStatus& before, const DancerStatus& now) {
     return now.is_dancing && before.is_dancing && now.figure == before.figure &&
-           now.octave == before.octave && now.reanchors == before.reanchors &&
-           now.phase >= before.phase;
+           now.number == before.number && now.octave == before.octave &&
+           now.reanchors == before.reanchors && now.phase >= before.phase;
 }
 
 // Splits the hops into stretches of one figure each; hops without dancing belong to none.
@@ -166,8 +166,11 @@ std::vector<motion::AudibleCount> audible_counts(std::span<const DancedFigure> f
         for (std::size_t k = 0; k + 1 < figure.count_times.size(); ++k) {
             const double time = figure.count_times[k];
             const double beat = figure.count_times[k + 1] - time;
-            // Of a figure that was cut short, only the counts that were reached.
-            const bool is_danced = figure.is_whole || (time >= figure.from && time < figure.to);
+            // Of a figure that was cut short, or a piece of a take, only the counts that were
+            // reached: the one at which the next piece begins is of that one.
+            const double slack = kWholeSlack * beat;
+            const bool is_danced =
+                figure.is_whole || (time >= figure.from - slack && time < figure.to - slack);
             const bool is_settled = time >= figure.dance_from + window.blend_in &&
                                     time + kWindowEnd * beat < figure.dance_to;
             if (is_danced && is_settled && figure.is_count_audible[k] && time >= window.from &&

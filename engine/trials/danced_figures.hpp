@@ -15,7 +15,7 @@
 namespace raks::engine {
 
 /// One figure from its beginning, or from where the dancer's phase was set anew, to where that
-/// ended.
+/// ended; of a dance of cells a piece of a take, whose counts are the take's beats.
 struct DancedFigure {
     const motion::FigureModel* model = nullptr;  ///< never null
     double octave = 1.0;                         ///< dance beats a beat of the music

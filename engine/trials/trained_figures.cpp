@@ -4,14 +4,63 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "engine/setup/dance_folder.hpp"
+#include "motion/cells/cell_file.hpp"
 
 namespace raks::engine {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr double kFarFromBeat = 0.15;  // beats
+
+bool is_of_cells(const CatalogueEntry& dance) {
+    return is_there(cells_path(dance.folder, dance.info.name));
+}
+
+}  // namespace
+
+std::vector<motion::FigureModel> takes_of(motion::CellDance dance) {
+    const int repeats = motion::JudgedLandings().least_repeats;
+    for (motion::FigureModel& take : dance.takes) {
+        take.repeats = repeats;
+        for (auto& landings : take.landings) {
+            landings.assign(static_cast<std::size_t>(take.beats), {});
+        }
+    }
+    for (const motion::Cell& cell : dance.graph.cells) {
+        for (std::size_t side = 0; side < cell.landings.size(); ++side) {
+            if (cell.landings[side] != motion::Cell::kNoLanding) {
+                dance.takes[cell.take].landings[side][cell.beat] = {
+                    repeats, Beats(static_cast<double>(cell.landings[side])), Beats(0.0)};
+            }
+        }
+    }
+    return std::move(dance.takes);
+}
+
+motion::JudgedLandings judged_landings(const CatalogueEntry& dance) {
+    motion::JudgedLandings judged;
+    if (is_of_cells(dance)) {
+        judged.farthest = kFarFromBeat;
+    }
+    return judged;
+}
+
 Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry& dance,
                                                            motion::DanceRole role,
                                                            motion::FigureFeatures features) {
+    if (is_of_cells(dance)) {
+        if (role == motion::DanceRole::follow) {
+            return fail(dance.info.name + " is danced alone");
+        }
+        auto cells = motion::load_cells(cells_path(dance.folder, dance.info.name));
+        if (!cells) {
+            return fail(std::move(cells.error()));
+        }
+        return takes_of(std::move(*cells));
+    }
     const std::string role_name(motion::kRoleNames[static_cast<std::size_t>(role)]);
     // "_lead.json" does not match "..._lead_positions.json": the two kinds are told apart by the
     // end.

@@ -27,6 +27,7 @@ struct DueLanding {
     const AudibleCount* audible = nullptr;
     double time = 0.0;             // seconds at which it is due
     std::optional<double> landed;  // seconds of the nearest landing matched with it
+    bool is_judged = true;         // near enough to a beat
 };
 
 /// Matches each landing with the due one nearest to it (in beats); of several, a due one keeps the
@@ -95,7 +96,7 @@ void summarize(LandingReport& report) {
 LandingReport landing_errors(const BodyTrack& track,
                              const FigureModel& figure,
                              std::span<const double> count_times,
-                             int least_repeats) {
+                             const JudgedLandings& judged) {
     if (count_times.size() < 2) {
         return {};
     }
@@ -105,17 +106,17 @@ LandingReport landing_errors(const BodyTrack& track,
         const std::size_t count = k % static_cast<std::size_t>(figure.beats);
         counts.push_back({&figure, count, count_times[k], beat_at(count_times, k)});
     }
-    return landing_errors(track, counts, least_repeats);
+    return landing_errors(track, counts, judged);
 }
 
 LandingReport landing_errors(const BodyTrack& track,
                              std::span<const AudibleCount> counts,
-                             int least_repeats) {
+                             const JudgedLandings& judged) {
     LandingReport report;
     if (track.frames() < 2) {
         return report;
     }
-    const std::vector<AudibleCount> judged = judged_counts(track, counts);
+    const std::vector<AudibleCount> heard = judged_counts(track, counts);
     for (const Side side : kSides) {
         std::vector<double> times = landings(track.feet, side, track.frames_per_second);
         // From frames to seconds.
@@ -123,23 +124,30 @@ LandingReport landing_errors(const BodyTrack& track,
             time /= track.frames_per_second;
         }
         std::vector<DueLanding> due;
-        for (const AudibleCount& audible : judged) {
+        for (const AudibleCount& audible : heard) {
             const auto learnt_by = static_cast<std::size_t>(side) ^ (audible.is_mirrored ? 1U : 0U);
             const LandingOffset& offset = audible.figure->landings[learnt_by][audible.count];
             // Only landings that people share have a moment to be compared with.
-            if (offset.is_one(least_repeats, audible.figure->repeats)) {
-                due.push_back(
-                    {&audible, audible.time + offset.median.count() * audible.beat, std::nullopt});
+            if (offset.is_one(judged.least_repeats, audible.figure->repeats)) {
+                const double beats = offset.median.count();
+                due.push_back({&audible,
+                               audible.time + beats * audible.beat,
+                               std::nullopt,
+                               std::abs(beats) <= judged.farthest});
             }
         }
         give_landings(times, due);
         std::size_t expected = 0;
         for (const DueLanding& one : due) {
             if (!one.landed) {
-                ++report.missing;
+                report.missing += one.is_judged ? 1U : 0U;
                 continue;
             }
             ++expected;
+            if (!one.is_judged) {
+                ++report.off_beat;
+                continue;
+            }
             report.landings.push_back({side,
                                        static_cast<int>(one.audible->count) + 1,
                                        *one.landed,
@@ -147,7 +155,7 @@ LandingReport landing_errors(const BodyTrack& track,
                                        one.audible->figure});
         }
         // What was not matched is unexpected.
-        const std::size_t all = landings_within(times, judged);
+        const std::size_t all = landings_within(times, heard);
         report.unexpected += all - std::min(all, expected);
     }
     summarize(report);

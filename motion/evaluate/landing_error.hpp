@@ -24,9 +24,16 @@ struct LandingReport {
     std::vector<Landing> landings;  ///< at counts where people land with that foot
     std::size_t unexpected = 0;     ///< landings at other counts
     std::size_t missing = 0;        ///< counts at which people land and this dance does not
+    std::size_t off_beat = 0;       ///< landings learnt too far from a beat to be judged by it
     double mean = 0.0;              ///< of the errors; seconds
     double deviation = 0.0;         ///< standard deviation of the errors; seconds
     double within_80_ms = 0.0;      ///< share of the errors of at most 80 ms
+};
+
+/// Which learnt landings a dance is judged by.
+struct JudgedLandings {
+    int least_repeats = 3;  ///< of the figure that had the landing
+    double farthest = 0.5;  ///< beats from its count; those beyond are LandingReport::off_beat
 };
 
 /// Computes the statistics of `landings`, for landings joined from several dances.
@@ -49,17 +56,17 @@ struct AudibleCount {
 /// ascending. Counts within 1 s of the track's ends are left out, as the low-pass needs motion on
 /// both sides. A landing is matched with the nearest learnt one (count + offset), at most half a
 /// beat away; a fixed window around each count would split steps that fall between two beats.
-/// Offsets learnt from fewer than `least_repeats` landings, or of a foot that comes down twice a
+/// Offsets learnt from fewer landings than `judged` says, or of a foot that comes down twice a
 /// count, are not expected. Threads: workers. Real-time: no.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            const FigureModel& figure,
                                            std::span<const double> count_times,
-                                           int least_repeats = 3);
+                                           const JudgedLandings& judged = {});
 
 /// The same for a dance whose figure or tempo changes: each count has its own figure. Threads:
 /// workers. Real-time: no.
 [[nodiscard]] LandingReport landing_errors(const BodyTrack& track,
                                            std::span<const AudibleCount> counts,
-                                           int least_repeats = 3);
+                                           const JudgedLandings& judged = {});
 
 }  // namespace raks::motion

@@ -9,6 +9,7 @@
 #include "audio/music/generator/form_score.hpp"
 #include "audio/music/generator/mixer.hpp"
 #include "audio/music/generator/notes.hpp"
+#include "audio/music/generator/played_bars.hpp"
 #include "base/suggest.hpp"
 
 namespace raks::audio {
@@ -317,6 +318,7 @@ Expected<MusicTruth> generate(const MusicPlan& plan, const MusicSink& sink) {
     truth.sections = played_sections(plan, curve, form);
     truth.events = events_of(truth.sections);
     truth.phrases = phrase_starts(plan, curve, form);
+    truth.bars = played_bars(plan, curve, score, form);
     return truth;
 }
 

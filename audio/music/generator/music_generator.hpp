@@ -89,12 +89,24 @@ struct ReferenceBeat {
     bool is_audible = true;  ///< false inside a silence, or where the form has no sound
 };
 
+/// A bar as it was played.
+struct PlayedBar {
+    StreamTime time{};                     ///< its first beat
+    SectionKind kind = SectionKind::full;  ///< of the section that plays there; stop after the form
+    std::vector<std::uint32_t> notes;      ///< sound, pitch and place of each, ascending
+};
+/// How unlike two bars are, as audio/song/song_repeats.hpp has it: by the share of notes that both
+/// have; at most 1 where that is three quarters or more. Infinite where the band plays otherwise
+/// (but for a drop and full, which are one), or a bar has no notes.
+[[nodiscard]] float distance_of(const PlayedBar& a, const PlayedBar& b);
+
 /// What a piece was made from: the reference for analysis. All ascending.
 struct MusicTruth {
     std::vector<ReferenceBeat> beats;     ///< all that lie inside the piece
     std::vector<PlayedSection> sections;  ///< of the form; without one the sound and its silences
     std::vector<MusicEvent> events;       ///< events_of(sections)
     std::vector<StreamTime> phrases;      ///< every eighth bar of a section that sounds
+    std::vector<PlayedBar> bars;          ///< all that begin inside the piece
 };
 
 /// A finished piece and what it was made from.

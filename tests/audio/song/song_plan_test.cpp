@@ -98,6 +98,7 @@ TEST(SongPlan, is_the_same_whatever_the_blocks) {
         ASSERT_EQ(other.beats[i].place.position, plan.beats[i].place.position);
     }
     EXPECT_EQ(other.joins, plan.joins);
+    EXPECT_TRUE(other.states == plan.states);
 }
 
 TEST(SongPlan, may_be_taken_over_at_bar_5_and_every_eighth_bar) {
