@@ -3,17 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "audio/song/song_repeats.hpp"
+#include "base/random.hpp"
+#include "base/statistics.hpp"
 
 namespace raks::audio {
 namespace {
 
 constexpr std::size_t kBands = SongRecording::kMelBands;
 constexpr double kEarly = 0.2;         // of a half beat
-constexpr float kFaint = 0.05F;        // of a band's mean: -26 dB
-constexpr float kAlikeDecibel = 3.0F;  // up to which two bars are alike
+constexpr float kFaint = 0.3F;         // of a band's mean: -10 dB
+constexpr float kAlikeLevel = 1.5F;    // dB
+constexpr float kOfUsualShape = 0.6F;  // of the median of all pairs of bars
+constexpr float kLeastShape = 1.2F;    // dB
+constexpr float kMostShape = 3.0F;     // dB
+constexpr std::uint64_t kPairs = 2000;
 // More bars have no numbers in Foresight::repeats.
 constexpr std::size_t kMostBars = std::numeric_limits<std::int16_t>::max();
 
@@ -118,16 +126,46 @@ std::vector<SongBar> bars_of(const SongRecording& song,
     return bars;
 }
 
-float distance_of(const SongBar& a, const SongBar& b) noexcept {
+BarDifference difference_of(const SongBar& a, const SongBar& b) noexcept {
+    BarDifference difference;
     if (a.beats != b.beats || a.part != b.part) {
-        return std::numeric_limits<float>::infinity();
+        return difference;
     }
     float sum = 0.0F;
+    float squares = 0.0F;
     for (std::size_t i = 0; i < a.sound.size(); ++i) {
         const float apart = a.sound[i] - b.sound[i];
-        sum += apart * apart;
+        sum += apart;
+        squares += apart * apart;
     }
-    return std::sqrt(sum / static_cast<float>(a.sound.size())) / kAlikeDecibel;
+    const auto count = static_cast<float>(a.sound.size());
+    const float mean = sum / count;
+    difference.is_known = true;
+    difference.level = std::abs(mean);
+    difference.shape = std::sqrt(std::max(0.0F, squares / count - mean * mean));
+    return difference;
+}
+
+float alike_shape(std::span<const SongBar> bars) {
+    const CounterRandom random(1);
+    std::vector<float> shapes;
+    for (std::uint64_t i = 0; i < kPairs && bars.size() > 1; ++i) {
+        const std::size_t a = random.below(2 * i, bars.size());
+        const std::size_t b = random.below(2 * i + 1, bars.size());
+        const BarDifference difference = difference_of(bars[a], bars[b]);
+        if (a != b && difference.is_known) {
+            shapes.push_back(difference.shape);
+        }
+    }
+    const float usual = shapes.empty() ? 0.0F : upper_median(std::move(shapes));
+    return std::clamp(kOfUsualShape * usual, kLeastShape, kMostShape);
+}
+
+float distance_of(const SongBar& a, const SongBar& b, float alike_shape) noexcept {
+    const BarDifference difference = difference_of(a, b);
+    return difference.is_known
+               ? std::max(difference.shape / alike_shape, difference.level / kAlikeLevel)
+               : std::numeric_limits<float>::infinity();
 }
 
 void write_bars(const SongRecording& song,
@@ -138,8 +176,10 @@ void write_bars(const SongRecording& song,
     for (std::size_t bar = 1; bar < bars.size(); ++bar) {
         begins_part[bar] = bars[bar].part != bars[bar - 1].part ? 1 : 0;
     }
-    const std::vector<int> repeats = find_repeats(
-        begins_part, [&](std::size_t a, std::size_t b) { return distance_of(bars[a], bars[b]); });
+    const float alike = alike_shape(bars);
+    const std::vector<int> repeats = find_repeats(begins_part, [&](std::size_t a, std::size_t b) {
+        return distance_of(bars[a], bars[b], alike);
+    });
     int bar = -1;
     for (MusicState& state : states) {
         while (static_cast<std::size_t>(bar + 1) < bars.size() &&

@@ -13,7 +13,7 @@ constexpr std::size_t kLeastLoop = 4;    // bars that are alike those before, of
 constexpr std::size_t kLeastPart = 8;    // bars
 constexpr std::size_t kByEachEnd = 2;    // bars fewer for each end at which the music changes
 constexpr std::size_t kLeastRest = 4;    // bars that are left of a part
-constexpr std::size_t kAlikeBeside = 3;  // bars before and after a fill
+constexpr std::size_t kWindow = 4;       // bars whose mean distance counts
 
 // Bars [first, end), each alike the bar `lag` bars before.
 struct BarRun {
@@ -23,33 +23,37 @@ struct BarRun {
     [[nodiscard]] std::size_t bars() const { return end - first; }
 };
 
-// Appends the runs of one diagonal. `distances`: of bar lag + i from bar i.
-void add_runs(std::span<const float> distances, std::size_t lag, std::vector<BarRun>& runs) {
-    const auto is_alike = [&](std::size_t i) {
-        return i < distances.size() && distances[i] <= 1.0F;
-    };
-    // A fill has alike bars on both sides; after it the run must go on.
-    const auto is_fill = [&](std::size_t i, std::size_t first) {
-        if (distances[i] > kFillDistance || i < first + kAlikeBeside) {
+// Whether kWindow bars from `first` on are alike on the whole.
+bool is_alike_window(std::span<const float> distances, std::size_t first) {
+    float sum = 0.0F;
+    for (std::size_t i = first; i < first + kWindow; ++i) {
+        sum += distances[i];
+        if (distances[i] > kFillDistance) {
             return false;
         }
-        for (std::size_t k = 1; k <= kAlikeBeside; ++k) {
-            if (!is_alike(i - k) || !is_alike(i + k)) {
-                return false;
-            }
-        }
-        return true;
-    };
-    for (std::size_t i = 0; i < distances.size();) {
-        if (!is_alike(i)) {
-            ++i;
+    }
+    return sum <= static_cast<float>(kWindow);
+}
+
+// Appends the runs of one diagonal. `distances`: of bar lag + i from bar i.
+void add_runs(std::span<const float> distances, std::size_t lag, std::vector<BarRun>& runs) {
+    for (std::size_t i = 0; i + kWindow <= distances.size(); ++i) {
+        if (!is_alike_window(distances, i)) {
             continue;
         }
-        const std::size_t first = i;
-        while (i < distances.size() && (is_alike(i) || is_fill(i, first))) {
+        std::size_t first = i;
+        while (i + kWindow < distances.size() && is_alike_window(distances, i + 1)) {
             ++i;
         }
-        runs.push_back({lag + first, lag + i, lag});
+        std::size_t end = i + kWindow;
+        // A run does not begin or end with a bar that is unlike.
+        while (first < end && distances[first] > 1.0F) {
+            ++first;
+        }
+        while (end > first && distances[end - 1] > 1.0F) {
+            --end;
+        }
+        runs.push_back({lag + first, lag + end, lag});
     }
 }
 
@@ -119,8 +123,12 @@ class RepeatWriter {
             while (end < run.end && is_free(end, run.lag)) {
                 ++end;
             }
-            if (end - bar >= least_bars({bar, end, run.lag})) {
-                write({bar, end, run.lag});
+            BarRun part{bar, end, run.lag};
+            if (part.bars() < least_bars(part)) {
+                cut_to_borders(part);
+            }
+            if (part.bars() >= least_bars(part)) {
+                write(part);
             }
             bar = std::max(end, bar + 1);
         }
@@ -174,6 +182,18 @@ class RepeatWriter {
             return is_border(end) || is_border(end - run.lag) ? kByEachEnd : 0;
         };
         return kLeastPart - count(run.first) - count(run.end);
+    }
+    // To what lies between the first border and the last one in it, if anything does.
+    void cut_to_borders(BarRun& run) const {
+        const auto is_end = [&](std::size_t bar) {
+            return is_border(bar) || is_border(bar - run.lag);
+        };
+        while (run.first < run.end && !is_end(run.first)) {
+            ++run.first;
+        }
+        while (run.end > run.first && !is_end(run.end)) {
+            --run.end;
+        }
     }
     void write(const BarRun& run) {
         for (std::size_t bar = run.first; bar < run.end; ++bar) {

@@ -15,9 +15,9 @@ using BarDistance = std::function<float(std::size_t, std::size_t)>;
 ///
 /// Bars are compared with bars (Foote 1999, self-similarity); a part that comes again is a run of
 /// bars that are each alike the bar a fixed number of bars before, a diagonal of the matrix of all
-/// distances (Goto 2006, RefraiD; Mueller 2015, 4.2). One bar of four in a run, not at its ends,
-/// may be up to kFillDistance away: a drum fill. Of runs that overlap, the longer one is taken, of
-/// equal ones the one whose first time is earlier.
+/// distances (Goto 2006, RefraiD; Mueller 2015, 4.2). What counts is the mean distance of four bars
+/// in a row, of which none may be further away than kFillDistance: a drum fill. Of runs that
+/// overlap, the longer one is taken, of equal ones the one whose first time is earlier.
 ///
 /// - A run has 8 bars at least, or 6 (4) where what the music does changes at one end of it (both):
 ///   a short part as a whole, such as a breakdown.
