@@ -284,6 +284,8 @@ struct StickArguments {
     std::optional<std::size_t> frame;  ///< to stand at, or to draw alone
     JointArguments joints;             ///< which joint is which bone
     Path joints_output;                ///< a joint map to write instead of a picture; empty: none
+    Path counts;                       ///< TSV of beats of takes; `input` may be a folder; or none
+    Path strips;                       ///< folder for strips of these beats; empty: none
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
 [[nodiscard]] ExitCode stick(const StickArguments& arguments);

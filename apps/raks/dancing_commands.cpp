@@ -219,6 +219,10 @@ void add_stick(RaksCommands& table) {
         // As a whole number with a sign: a negative frame is refused instead of wrapped around.
         ->check(in_range<std::int64_t>(0, 1'000'000'000));
     add_joint_options(*app, a->joints, "the clip");
+    auto* const counts =
+        app->add_option("--counts", a->counts, "X.tsv: beats of takes; FILE may be their folder");
+    app->add_option("--strips", a->strips, "FOLDER: pictures of each take's beats, eight a row")
+        ->needs(counts);
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     add_setting_options(*app, a->settings, {&Settings::theme});
     app->add_option("--camera", a->settings.camera, "wide, portrait, front, side, back or top");

@@ -6,6 +6,7 @@
 #include "apps/clips/clip_reading.hpp"
 #include "apps/raks/clip_document.hpp"
 #include "apps/raks/commands.hpp"
+#include "apps/raks/stick_beats.hpp"
 #include "apps/raks/stick_film.hpp"
 #include "apps/raks/stick_joints.hpp"
 #include "apps/raks/stick_pair.hpp"
@@ -138,6 +139,9 @@ ExitCode stick(const StickArguments& arguments) {
     // Checked before the clip is read.
     if (auto checked = check_options(arguments); !checked) {
         return fail(std::move(checked.error()));
+    }
+    if (!arguments.counts.empty()) {
+        return stick_beats(arguments);
     }
     // A written dance has a window and sheets of its own.
     if (motion::lower(arguments.input.extension().string()) == ".toml") {

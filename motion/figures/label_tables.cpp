@@ -304,6 +304,9 @@ Expected<std::vector<TakeBeat>> parse_take_beats(std::string_view text, const st
                       table.whole("half", 1, 2),
                       table.whole("used", 0, 1) == 1,
                       table.line()};
+        if (beat.take.empty()) {
+            table.complain("take is empty, must be the clip's name");
+        }
         const auto found = last.find(beat.take);
         if (found != last.end() && !(beat.time > found->second)) {
             table.complain(fmt::format(
@@ -314,6 +317,9 @@ Expected<std::vector<TakeBeat>> parse_take_beats(std::string_view text, const st
     }
     if (table.fault()) {
         return fail(*table.fault());
+    }
+    if (beats.empty()) {
+        return fail(name + ": holds no beats, must have a row for each");
     }
     return beats;
 }

@@ -73,8 +73,8 @@ struct TakeBeat {
     std::size_t line = 0;  ///< in the file, counted from 1
 };
 
-/// Reads the beats of takes. Columns take, time, half, used (0 or 1). Errors: as for labels; times
-/// of one take that do not rise.
+/// Reads the beats of takes. Columns take, time, half, used (0 or 1). Errors: as for labels; a row
+/// without a take, times of one take that do not rise, a table without beats.
 [[nodiscard]] Expected<std::vector<TakeBeat>> parse_take_beats(std::string_view text,
                                                                const std::string& name);
 /// The same from a file. Threads: workers. Real-time: no.
