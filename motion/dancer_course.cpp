@@ -73,6 +73,7 @@ void Dancer::State::decide(const MusicState& music) noexcept {
     grid = music.grid;
     felt += kFeltShare * ((is_unsure ? 0.0F : 1.0F) - felt);
     manner.hear(music.event);
+    listener.hear(music);
     if (!still.is_on()) {
         manner.advance(music);
         if (is_dancing && has_dynamics()) {
@@ -104,16 +105,29 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
         phase.take_bar();
         has_reanchored = true;
     }
-    if (has_reanchored) {
-        sequence.jump(phase.phase());
-    }
     sequence.set_tempo(Bpm(pace * 60.0 * own_rate));
-    sequence.advance(phase.phase(), energy_of_next(music), wish);
+    advance_sequence(music, has_reanchored);
     delay += nanos_from_seconds(kLeadShare * to_seconds(sequence.figure().landing_delay - delay));
     if (still.is_on()) {
         stay_still(music);
     } else {
         dance_on(music, has_reanchored);
+    }
+}
+
+// Figures go on unseen while the dancer stands still; cells go on from there.
+void Dancer::State::advance_sequence(const MusicState& music, bool has_reanchored) noexcept {
+    if (sequence.is_of_cells() && still.is_on()) {
+        return;
+    }
+    if (has_reanchored) {
+        sequence.jump(phase.phase());
+    }
+    if (sequence.is_of_cells()) {
+        asked = listener.asked(music, {phase, manner, phrases, part.seed, has_dynamics()});
+        sequence.advance(phase.phase(), asked, wish);
+    } else {
+        sequence.advance(phase.phase(), energy_of_next(music), wish);
     }
 }
 

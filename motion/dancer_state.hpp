@@ -6,6 +6,7 @@
 
 #include "base/timed_commands.hpp"
 #include "motion/dance/beat_phase.hpp"
+#include "motion/dance/cell_listener.hpp"
 #include "motion/dance/dance_sequence.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
 #include "motion/dance/dynamics/hits.hpp"
@@ -65,6 +66,8 @@ struct Dancer::Course {
     Cause cause = Cause::phrase;          // of `still`
     Beats resumes{};                      // phase at which a phrase's pause ends
     std::uint64_t figure_rested = ~0ULL;  // the last figure for which rests were drawn
+    CellListener listener;
+    CellMusic asked;  // of a dance of cells, at the last hop
     Hits hits;
     HandRests hands;
     BeatGrid grid;                        // of the last hop
@@ -101,6 +104,7 @@ struct Dancer::State : Dancer::Course {
     // Decisions of one hop (dancer_course.cpp, dancer_stillness.cpp).
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
+    void advance_sequence(const MusicState& music, bool has_reanchored) noexcept;
     [[nodiscard]] double energy_of_next(const MusicState& music) noexcept;
     void dance_on(const MusicState& music, bool has_reanchored) noexcept;
     void stay_still(const MusicState& music) noexcept;
@@ -111,6 +115,7 @@ struct Dancer::State : Dancer::Course {
     void bow(StreamTime now) noexcept;
     [[nodiscard]] bool wait_for_bar(const MusicState& music) noexcept;
     [[nodiscard]] bool pause_at_phrase_end(const MusicState& music) noexcept;
+    [[nodiscard]] bool pause_at_rest(const MusicState& music) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
     void resume(const MusicState& music) noexcept;

@@ -27,6 +27,10 @@ constexpr double kPauseKey = 0.15;
 constexpr double kShortestPause = 0.30;
 constexpr double kLongestPause = 1.0;
 constexpr double kStepIn = 0.5;
+// Of a rest in a dance of cells, in beats: how near its moment it may still be begun, and how long
+// after that moment the dance begins to move again, so that it is in time on the second beat.
+constexpr double kNearestRest = 0.02;
+constexpr double kRestLasts = 1.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
 constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
 constexpr double kHandsToPose = 0.50;      // seconds
@@ -149,6 +153,9 @@ bool Dancer::State::wait_for_bar(const MusicState& music) noexcept {
 /// where the figure leaves both feet standing for long enough; at the last moment anywhere, and
 /// steps are left out.
 bool Dancer::State::pause_at_phrase_end(const MusicState& music) noexcept {
+    if (sequence.is_of_cells()) {
+        return pause_at_rest(music);
+    }
     const double left = (sequence.end() - phase.phase()).count();
     const double slowing = 2.0 * kPauseKey + kStepIn;
     const double least = slowing + kShortestPause * phase.rate();
@@ -176,6 +183,24 @@ bool Dancer::State::pause_at_phrase_end(const MusicState& music) noexcept {
     return true;
 }
 
+/// Stays for two beats where a cell ends at rest that was asked for. The pose in which it ends is
+/// reached at half speed, so that the clock begins to slow down before.
+bool Dancer::State::pause_at_rest(const MusicState& music) noexcept {
+    const Beats from = shown_phase(music.time, Nanos(0));
+    if (!asked.rests_at) {
+        return false;
+    }
+    const Beats key(*asked.rests_at);
+    const double left = (key - from).count();
+    if (left > kPauseKey || left < kNearestRest || !sequence.rests_at(key)) {
+        return false;
+    }
+    cause = Cause::phrase;
+    resumes = key + Beats(kRestLasts);
+    still.begin(music.time, from, phase.rate(), key);
+    return true;
+}
+
 /// Begins to stand still in the calmest posture between two phases, in beats from the one shown.
 void Dancer::State::stand_still(const MusicState& music,
                                 Cause why,
@@ -195,9 +220,10 @@ void Dancer::State::stand_still(const MusicState& music,
     }
 }
 
-/// Leads the arms to a posture that looks meant. One of a couple keeps the other's hands.
+/// Leads the arms to a posture that looks meant.
 void Dancer::State::show_pose(StreamTime now) noexcept {
-    if (part.is_in_couple) {
+    // One of a couple keeps the other's hands, and people's cells have arms of their own.
+    if (part.is_in_couple || sequence.is_of_cells()) {
         return;
     }
     const CounterRandom random(part.seed, kPoseStream);
@@ -213,7 +239,9 @@ void Dancer::State::show_pose(StreamTime now) noexcept {
 
 /// Dances on where the dance has come to unseen.
 void Dancer::State::resume(const MusicState& music) noexcept {
+    const Beats key = still.phase(music.time);
     still.end();
+    sequence.go_on_from(key, shown_phase(music.time, Nanos(0)));
     figure_rested = ~0ULL;
     for (const Side side : kSides) {
         hands.let_go(side, music.time, kHandsBack);
@@ -223,7 +251,7 @@ void Dancer::State::resume(const MusicState& music) noexcept {
 
 /// Lets a hand rest for a figure, more often in calm music.
 void Dancer::State::rest_hands(const MusicState& music) noexcept {
-    if (figure_rested == sequence.number() || part.is_in_couple) {
+    if (figure_rested == sequence.number() || part.is_in_couple || sequence.is_of_cells()) {
         return;
     }
     figure_rested = sequence.number();

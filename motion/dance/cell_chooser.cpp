@@ -26,23 +26,64 @@ constexpr double kTurnedCost = 0.35;  // turned away, of 2
 constexpr double kJoinCost = 0.5;
 constexpr double kJoinDistance = 10.0;  // centimetres that cost 1 more
 constexpr double kRepeatCost = 1.5;
-constexpr double kEnergyCost = 4.0;  // a metre a second
+constexpr double kEnergyCost = 4.0;    // a metre a second
+constexpr double kRestCost = 7.0;      // a moment of middling speed where a rest is wanted
+constexpr double kGreatestCost = 3.0;  // a cell that is not one of the greatest where one is wanted
+constexpr double kNaturalCost = 2.0;   // the natural successor where another cell is wanted
+constexpr double kFarJoin = 6.0;       // a change along no arc
+constexpr double kOffRow = 3.0;        // a beat that is not the one of the row
+// Metres from the middle beyond which no row is asked for: it would lead on from there.
+constexpr double kRowRadius = 2.0;
+constexpr double kJumpsIntoRow = 0.4;  // share of the futures that go to a row along no arc
+// A rest is drawn this much more often where it is wanted, by its speed over the middling one.
+constexpr double kRestSoftness = 2.5;
 constexpr std::uint64_t kDrawsAFuture = CellChooser::kLook + 1;
 constexpr std::uint64_t kStream = 40;  // of random numbers
 constexpr std::int32_t kNever = -1'000'000;
-// Quiet music gets the calmest tenth, and none stays below or above what there is.
-constexpr double kCalmest = 0.10;
+// The calmest and the greatest cells are left for what asks for them.
+constexpr double kCalmest = 0.05;
 constexpr double kGreatest = 0.95;
+
+// How far the end of a cell is from a rest: 0 at rest, 1 as a cell of middling energy.
+double unrest(const CellGraph& graph, std::size_t cell) noexcept {
+    const double middling = static_cast<double>(graph.energies[graph.energies.size() / 2]);
+    const double speed = static_cast<double>(graph.cells[cell].speed_at_end);
+    const double over = std::max(0.0, speed - static_cast<double>(kRestSpeed));
+    return is_rest(graph, cell) ? 0.0 : 0.1 + over / std::max(0.1, middling);
+}
+
+// The arc from one step to another; null: none.
+const CellArc* arc_between(const CellGraph& graph,
+                           const CellStep& from,
+                           const CellStep& to) noexcept {
+    for (const CellArc& arc : graph.arcs_of(from.cell)) {
+        if (arc.to == to.cell && arc.is_mirrored == (from.is_mirrored != to.is_mirrored)) {
+            return &arc;
+        }
+    }
+    return nullptr;
+}
+
+bool is_successor(const CellGraph& graph, const CellStep& from, const CellStep& to) noexcept {
+    return to.cell == from.cell + 1 && to.is_mirrored == from.is_mirrored &&
+           graph.has_successor(from.cell);
+}
 
 }  // namespace
 
-double cell_energy(const CellGraph& graph, double energy) noexcept RAKS_NONBLOCKING {
-    const double share = kCalmest + (kGreatest - kCalmest) * std::clamp(energy, 0.0, 1.0);
-    const double at = share * static_cast<double>(graph.energies.size() - 1);
+double cell_energy(const CellGraph& graph, double share) noexcept RAKS_NONBLOCKING {
+    const double within = kCalmest + (kGreatest - kCalmest) * std::clamp(share, 0.0, 1.0);
+    const double at = within * static_cast<double>(graph.energies.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), graph.energies.size() - 2);
     const double part = at - static_cast<double>(i);
     return (1.0 - part) * static_cast<double>(graph.energies[i]) +
            part * static_cast<double>(graph.energies[i + 1]);
+}
+
+bool may_follow(const CellGraph& graph,
+                const CellStep& from,
+                const CellStep& to) noexcept RAKS_NONBLOCKING {
+    return is_successor(graph, from, to) || arc_between(graph, from, to) != nullptr;
 }
 
 struct CellChooser::Future {
@@ -55,18 +96,23 @@ struct CellChooser::Future {
 };
 
 CellStep CellChooser::start(const CellGraph& graph, std::uint64_t seed) noexcept RAKS_NONBLOCKING {
-    *this = CellChooser();
-    seed_ = seed;
-    last_danced_.fill(kNever);
+    if (graph_ != &graph || seed_ != seed) {
+        *this = CellChooser();
+        graph_ = &graph;
+        seed_ = seed;
+        last_danced_.fill(kNever);
+    }
+    forget_futures();
     const CounterRandom random(seed, kStream);
     const double wanted = cell_energy(graph, 0.4);
     CellStep first;
     double least = 1e9;
     for (std::uint64_t i = 0; i < kFutures; ++i) {
-        const auto cell = static_cast<std::uint16_t>(random.below(i, graph.cells.size()));
+        const std::uint64_t draw = static_cast<std::uint64_t>(beat_) * kFutures + i;
+        const auto cell = static_cast<std::uint16_t>(random.below(draw, graph.cells.size()));
         const double cost = std::abs(static_cast<double>(graph.cells[cell].energy) - wanted) +
                             (graph.has_successor(cell) ? 0.0 : 1.0) +
-                            (graph.cells[cell].is_second_half ? 0.5 : 0.0);
+                            (graph.cells[cell].is_second_half ? 10.0 : 0.0);
         if (cost < least) {
             least = cost;
             first = {cell, false, true};
@@ -74,6 +120,11 @@ CellStep CellChooser::start(const CellGraph& graph, std::uint64_t seed) noexcept
     }
     note(first);
     return first;
+}
+
+void CellChooser::forget_futures() noexcept {
+    drawn_ = 0;
+    kept_beats_ = 0;
 }
 
 void CellChooser::note(const CellStep& step) noexcept {
@@ -118,6 +169,31 @@ double weight_of_energy(double energy, double wanted) noexcept {
     return std::exp(-0.5 * off * off);
 }
 
+// A cell of this take that begins the other half of the bar, along an arc where there is one. `at`:
+// a draw, [0, 1).
+std::optional<CellStep> step_in_take(const CellGraph& graph,
+                                     const CellStep& from,
+                                     std::uint16_t take,
+                                     double at) noexcept {
+    for (const CellArc& arc : graph.arcs_of(from.cell)) {
+        if (graph.cells[arc.to].take == take) {
+            return CellStep{arc.to, arc.is_mirrored != from.is_mirrored, true};
+        }
+    }
+    const bool is_second = !graph.cells[from.cell].is_second_half;
+    const auto fits = [&](const Cell& cell) {
+        return cell.take == take && cell.is_second_half == is_second;
+    };
+    const auto count = std::count_if(graph.cells.begin(), graph.cells.end(), fits);
+    auto left = static_cast<std::ptrdiff_t>(at * static_cast<double>(count));
+    for (std::size_t i = 0; i < graph.cells.size(); ++i) {
+        if (fits(graph.cells[i]) && left-- == 0) {
+            return CellStep{static_cast<std::uint16_t>(i), from.is_mirrored, true};
+        }
+    }
+    return std::nullopt;
+}
+
 double weight_of_arc(const CellArc& arc) noexcept {
     const double off = static_cast<double>(arc.distance) / kArcSoftness;
     return std::exp(-off * off);
@@ -125,16 +201,43 @@ double weight_of_arc(const CellArc& arc) noexcept {
 
 }  // namespace
 
+// A step that is asked for, of a row or of a take; nothing: it is drawn freely.
+std::optional<CellStep> CellChooser::asked_step(const CellGraph& graph,
+                                                const Future& future,
+                                                const CellWish& wish,
+                                                std::uint64_t draw) const noexcept {
+    const CounterRandom random(seed_, kStream + 2);
+    if (wish.take && future.beats == 0) {
+        return step_in_take(graph, future.last, *wish.take, random.uniform(draw));
+    }
+    const auto& row = wish.beats[static_cast<std::size_t>(future.beats)].is;
+    if (!row || glm::length(future.place.offset) > kRowRadius) {
+        return std::nullopt;
+    }
+    if (is_successor(graph, future.last, *row)) {
+        return CellStep{row->cell, row->is_mirrored, false};
+    }
+    if (arc_between(graph, future.last, *row) != nullptr || random.uniform(draw) < kJumpsIntoRow) {
+        return CellStep{row->cell, row->is_mirrored, true};
+    }
+    return std::nullopt;
+}
+
 // One draw among the natural successor and the arcs; nothing: there are neither.
 std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
                                                 const Future& future,
                                                 const CellWish& wish,
                                                 std::uint64_t draw) const noexcept {
+    if (const auto asked = asked_step(graph, future, wish, draw)) {
+        return asked;
+    }
+    const CellBeatWish& beat = wish.beats[static_cast<std::size_t>(future.beats)];
     const std::size_t from = future.last.cell;
-    const double wanted = cell_energy(graph, wish.energy);
+    const double wanted = cell_energy(graph, beat.energy);
     const auto suits = [&](std::size_t cell, bool is_joined) {
         return weight_of_age(beats_since(future, cell, graph, is_joined)) *
-               weight_of_energy(static_cast<double>(graph.cells[cell].energy), wanted);
+               weight_of_energy(static_cast<double>(graph.cells[cell].energy), wanted) *
+               (beat.rests_at_end ? std::exp(-kRestSoftness * unrest(graph, cell)) : 1.0);
     };
     const auto arcs = graph.arcs_of(from);
     std::array<double, 65> weights{};  // of the arcs, and of the successor behind them
@@ -145,8 +248,7 @@ std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
         sum += weights[i];
     }
     const bool may_go_on =
-        graph.has_successor(from) &&
-        (count == 0 || (future.run < kLongestRun && !(wish.is_another && future.beats == 0)));
+        graph.has_successor(from) && (count == 0 || (future.run < kLongestRun && !beat.is_another));
     if (may_go_on) {
         weights[count] =
             (future.run < kShortRun ? kGoOnEarly : kGoOnLater) * suits(from + 1, false);
@@ -169,37 +271,67 @@ std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
     return CellStep{arcs[chosen].to, arcs[chosen].is_mirrored != future.last.is_mirrored, true};
 }
 
+// What a step costs for what the music and the user want of its beat.
+double CellChooser::cost_of(const CellGraph& graph,
+                            const CellStep& step,
+                            const CellBeatWish& wish) const noexcept {
+    if (wish.is) {
+        return is_same_cell(step, *wish.is) ? 0.0 : kOffRow;
+    }
+    const double energy = static_cast<double>(graph.cells[step.cell].energy);
+    double cost = kEnergyCost * std::abs(energy - cell_energy(graph, wish.energy));
+    cost += wish.is_greatest && !is_greatest(graph, step.cell) ? kGreatestCost : 0.0;
+    cost += wish.rests_at_end ? kRestCost * std::min(1.0, unrest(graph, step.cell)) : 0.0;
+    cost += wish.is_another && !step.is_joined ? kNaturalCost : 0.0;
+    return cost;
+}
+
 // Adds a step and what it costs.
 void CellChooser::take(const CellGraph& graph,
                        const CellStep& step,
                        const CellWish& wish,
                        Future& future) const noexcept {
     const Cell& cell = graph.cells[step.cell];
-    const double side = step.is_mirrored ? -1.0 : 1.0;
+    const CellBeatWish& beat = wish.beats[static_cast<std::size_t>(future.beats)];
+    const bool is_of_row = beat.is && is_same_cell(step, *beat.is);
     if (step.is_joined) {
-        const auto arcs = graph.arcs_of(future.last.cell);
-        const auto arc = std::find_if(arcs.begin(), arcs.end(), [&](const CellArc& each) {
-            return each.to == step.cell &&
-                   each.is_mirrored == (future.last.is_mirrored != step.is_mirrored);
-        });
-        const double apart = static_cast<double>(arc->distance) / kJoinDistance;
-        future.cost += kJoinCost + apart * apart;
+        const CellArc* const arc = arc_between(graph, future.last, step);
+        const double apart =
+            arc != nullptr ? static_cast<double>(arc->distance) / kJoinDistance : 0.0;
+        future.cost += arc != nullptr ? kJoinCost + apart * apart : kFarJoin;
     }
-    if (beats_since(future, step.cell, graph, step.is_joined) < kNovel) {
+    if (!is_of_row && beats_since(future, step.cell, graph, step.is_joined) < kNovel) {
         future.cost += kRepeatCost;
     }
+    const double side = step.is_mirrored ? -1.0 : 1.0;
     future.place = future.place * FloorMove{side * static_cast<double>(cell.turn),
                                             {side * static_cast<double>(cell.way.x),
                                              static_cast<double>(cell.way.y)}};
     const double beyond = std::max(0.0, glm::length(future.place.offset) - kStageRadius);
     future.cost += kStageCost * beyond * beyond;
     future.cost += wish.faces_us ? kTurnedCost * (1.0 - std::cos(future.place.heading)) : 0.0;
-    future.cost +=
-        kEnergyCost * std::abs(static_cast<double>(cell.energy) - cell_energy(graph, wish.energy));
+    future.cost += cost_of(graph, step, beat);
     future.run = step.is_joined ? 1 : future.run + 1;
     future.last = step;
     future.steps[static_cast<std::size_t>(future.beats)] = step;
     ++future.beats;
+}
+
+// What the last decision would have gone on with, as long as it is not asked for something else.
+std::optional<CellStep> CellChooser::kept_step(const Future& future,
+                                               const CellWish& wish) const noexcept {
+    if (drawn_ != 0 || future.beats >= kept_beats_ || wish.take) {
+        return std::nullopt;
+    }
+    for (int i = 0; i <= future.beats; ++i) {
+        const auto beat = static_cast<std::size_t>(i);
+        const CellBeatWish& wanted = wish.beats[beat];
+        const bool is_other = wanted.is && !is_same_cell(*wanted.is, kept_[beat]);
+        if (is_other || (wanted.is_another && !kept_[beat].is_joined)) {
+            return std::nullopt;
+        }
+    }
+    return kept_[static_cast<std::size_t>(future.beats)];
 }
 
 void CellChooser::draw(const CellGraph& graph,
@@ -217,8 +349,11 @@ void CellChooser::draw(const CellGraph& graph,
         (static_cast<std::uint64_t>(beat_) * kFutures + static_cast<std::uint64_t>(drawn_)) *
         kDrawsAFuture;
     while (future.beats < kLook) {
-        const auto step =
-            drawn_step(graph, future, wish, first + static_cast<std::uint64_t>(future.beats));
+        auto step = kept_step(future, wish);
+        if (!step) {
+            step =
+                drawn_step(graph, future, wish, first + static_cast<std::uint64_t>(future.beats));
+        }
         if (!step) {
             break;
         }
@@ -226,17 +361,22 @@ void CellChooser::draw(const CellGraph& graph,
     }
     if (drawn_ == 0 || future.cost < best_cost_) {
         best_cost_ = future.cost;
-        std::copy_n(future.steps.begin(), best_.size(), best_.begin());
+        best_ = future.steps;
+        best_beats_ = future.beats;
     }
     ++drawn_;
 }
 
 std::array<CellStep, CellChooser::kFollowed> CellChooser::decide() noexcept RAKS_NONBLOCKING {
-    for (const CellStep& step : best_) {
+    std::array<CellStep, kFollowed> followed{};
+    std::copy_n(best_.begin(), kFollowed, followed.begin());
+    for (const CellStep& step : followed) {
         note(step);
     }
     drawn_ = 0;
-    return best_;
+    kept_beats_ = std::max(0, best_beats_ - kFollowed);
+    std::copy(best_.begin() + kFollowed, best_.end(), kept_.begin());
+    return followed;
 }
 
 }  // namespace raks::motion

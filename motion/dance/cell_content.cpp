@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "motion/dance/baking/trajectory.hpp"
+#include "motion/dance/body/floor_move.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/dance_content.hpp"
 
@@ -29,6 +32,52 @@ FigurePassage passage_of(const FigureModel& take, const Skeleton& skeleton) {
         landings.resize(static_cast<std::size_t>(take.beats));
     }
     return FigurePassage(take, steps, steps.poses, way, footing, nullptr, skeleton).compact();
+}
+
+/// Adds a rotation to a sum, on the side of what is there: q and -q are the same rotation.
+void add_rotation(const glm::quat& rotation, float weight, glm::quat& sum) noexcept {
+    sum += (glm::dot(sum, rotation) < 0.0F ? -weight : weight) * rotation;
+}
+
+/// How the hips of a take are tilted, in the mean, when it heads ahead.
+glm::quat mean_tilt(const LibraryFigure& take) {
+    constexpr int kPerBeat = 4;
+    glm::quat sum(0.0F, 0.0F, 0.0F, 0.0F);
+    for (int i = 0; i < take.beats * kPerBeat; ++i) {
+        Pose pose;
+        take.passages.front().at(static_cast<double>(i) / kPerBeat, pose);
+        add_rotation(inverse(floor_frame(pose))(pose).rotation(Bone::hips), 1.0F, sum);
+    }
+    return glm::normalize(sum);
+}
+
+/// The mean posture of all takes and their mirror images, heading ahead. What is danced smaller or
+/// larger is so about one posture, which does not change where takes are joined.
+FigureMiddle middle_of_takes(const std::vector<LibraryFigure>& takes) {
+    FigureMiddle middle = takes.front().middle;
+    std::array<glm::quat, FigurePassage::kBones.size()> sums{};
+    sums.fill(glm::quat(0.0F, 0.0F, 0.0F, 0.0F));
+    float height = 0.0F;
+    float beats = 0.0F;
+    for (const LibraryFigure& take : takes) {
+        const auto weight = static_cast<float>(take.beats);
+        Pose own = take.middle.pose;
+        own.rotation(Bone::hips) = mean_tilt(take);
+        const Pose image = mirrored(own);
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            add_rotation(own.rotation(FigurePassage::kBones[i]), weight, sums[i]);
+            add_rotation(image.rotation(FigurePassage::kBones[i]), weight, sums[i]);
+        }
+        beats += weight;
+        height += weight * own.hips_position.y;
+        middle.turns_about_it &= take.middle.turns_about_it;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        middle.pose.rotation(FigurePassage::kBones[i]) = glm::normalize(sums[i]);
+    }
+    middle.pose.hips_position = {0.0F, height / beats, 0.0F};
+    middle.turns_about_it.set(index_of(Bone::hips));
+    return middle;
 }
 
 }  // namespace
@@ -63,6 +112,10 @@ Expected<DanceContent> make_cell_content(const CellDance& dance, const Skeleton&
         figure.passages.push_back(std::move(*passages[i]));
         figure.middle = middle_of(figure.passages.front(), figure.beats, false, skeleton);
         content.figures.push_back(std::move(figure));
+    }
+    const FigureMiddle middle = middle_of_takes(content.figures);
+    for (LibraryFigure& take : content.figures) {
+        take.middle = middle;
     }
     return content;
 }

@@ -3,54 +3,85 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/smooth_steps.hpp"
-#include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/pose_join.hpp"
-
-#include <glm/geometric.hpp>
-
 namespace raks::motion {
 namespace {
 
-constexpr double kJoin = 0.35;          // beats on either side of a join in which both are danced
-constexpr double kThinksFor = 1.0;      // beats before a decision in which futures are drawn
-constexpr float kSlidesUnseen = 0.03F;  // metres that a standing foot may go over unseen
-constexpr float kAddedLift = 0.04F;     // metres, at the middle of an added step
-constexpr int kBar = 4;                 // beats
+constexpr double kThinksFor = 1.0;    // beats before a decision in which futures are drawn
+constexpr double kLatest = 0.5;       // beats ahead that are decided, also without all futures
+constexpr double kCutAhead = 0.6;     // beats before which nothing that is decided changes
+constexpr int kBar = 4;               // beats
+constexpr double kDropLasts = 4.0;    // beats of the greatest cells
+constexpr double kBeatRounding = 1e-6;    // beats
+constexpr int kMostToComeBack = 6;    // beats of a take in which it comes from a rest into time
+constexpr double kRateBack = 0.95;    // at which it does best
+constexpr double kBackCost = 0.08;    // of a beat that passes until then
+constexpr double kSoonestBack = 0.4;  // beats
 
-float way_between(const glm::vec3& a, const glm::vec3& b) noexcept {
-    return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
-}
+bool is_odd(double phase) noexcept { return std::lround(phase) % 2 != 0; }
 
 }  // namespace
-
-Pose CellSequence::pose_of(const Piece& piece, double phase) const noexcept {
-    const Cell& cell = content_->cells->cells[piece.first_cell];
-    FigureChoice choice;
-    choice.figure = cell.take;
-    choice.is_mirrored = piece.is_mirrored;
-    return piece.floor(motion::pose_of(*content_, choice, cell.beat + phase - piece.from));
-}
 
 void CellSequence::start(const DanceContent& content,
                          const FloorMove& stage,
                          const DancerPart& part) noexcept RAKS_NONBLOCKING {
+    if (content_ == nullptr || content_->cells != content.cells) {
+        rows_ = CellRows();
+    }
     content_ = &content;
     stage_ = stage;
     faces_us_ = !part.is_in_couple;
     last_ = chooser_.start(*content.cells, part.seed);
     phase_ = 0.0;
-    present_ = 0;
-    count_ = 1;
-    Piece& first = pieces_[0];
-    first = {.first_cell = last_.cell, .is_mirrored = last_.is_mirrored, .from = 0.0, .until = 1.0};
+    has_cut_ = false;
+    Piece first;
+    first.first_cell = last_.cell;
+    first.until = 1.0;
     // The hips stand in the middle of the stage, to the front.
     first.floor = stage * inverse(floor_frame(pose_of(first, 0.0)));
+    begin_with(first);
+    number_ = 0;
 }
 
 void CellSequence::go_on_in(const DanceContent& content, const FloorMove& stage) noexcept {
+    if (content_ != nullptr && content.cells != nullptr) {
+        chooser_.go_on_in(*content.cells);
+    }
     content_ = content_ != nullptr ? &content : nullptr;
     stage_ = stage;
+}
+
+// One piece alone, of which the last cell is the last that is decided.
+void CellSequence::begin_with(const Piece& piece) noexcept {
+    pieces_[0] = piece;
+    count_ = 1;
+    present_ = 0;
+    ++number_;
+    last_ = {
+        static_cast<std::uint16_t>(cell_of(piece, piece.until - 0.5)), piece.is_mirrored, false};
+    chooser_.forget_futures();
+}
+
+std::size_t CellSequence::piece_at(double phase) const noexcept {
+    std::size_t i = 0;
+    while (i + 1 < count_ && phase >= pieces_[i + 1].from) {
+        ++i;
+    }
+    return i;
+}
+
+std::size_t CellSequence::cell_of(const Piece& piece, double phase) const noexcept {
+    const double last = std::round(piece.until - piece.from) - 1.0;
+    const double beats = std::floor(shown(piece, phase) - piece.from + kBeatRounding);
+    return piece.first_cell + static_cast<std::size_t>(std::clamp(beats, 0.0, std::max(0.0, last)));
+}
+
+bool CellSequence::rests_at(Beats phase) const noexcept RAKS_NONBLOCKING {
+    return is_rest(*content_->cells, step_at(phase - Beats(0.5)).cell);
+}
+
+CellStep CellSequence::step_at(Beats phase) const noexcept RAKS_NONBLOCKING {
+    const Piece& piece = pieces_[piece_at(phase.count())];
+    return {static_cast<std::uint16_t>(cell_of(piece, phase.count())), piece.is_mirrored, false};
 }
 
 // Where the last piece that is decided ends, seen from the stage.
@@ -59,12 +90,66 @@ FloorMove CellSequence::end_on_stage() const noexcept {
     return inverse(stage_) * floor_frame(pose_of(last, last.until));
 }
 
-void CellSequence::advance(Beats phase, double energy, FigureWish& wish) noexcept RAKS_NONBLOCKING {
+// What the beats after the last that is decided shall be like.
+CellWish CellSequence::wished(const CellMusic& music, const FigureWish& wish) const noexcept {
+    CellWish wanted;
+    wanted.faces_us = faces_us_;
+    if (wish.figure && *wish.figure < content_->figures.size()) {
+        wanted.take = static_cast<std::uint16_t>(*wish.figure);
+    }
+    for (int i = 0; i < kCellLook; ++i) {
+        CellBeatWish& beat = wanted.beats[static_cast<std::size_t>(i)];
+        const double phase = pieces_[count_ - 1].until + i;
+        const auto is_at = [phase](const std::optional<double>& when) {
+            return when && std::abs(*when - phase) < 0.5;
+        };
+        beat.energy = music.energy;
+        beat.is_greatest = music.drop_at && phase > *music.drop_at - 0.5 &&
+                           phase < *music.drop_at + kDropLasts - 0.5;
+        beat.rests_at_end = music.rests_at && std::abs(*music.rests_at - (phase + 1.0)) < 0.5;
+        beat.is_another = is_at(music.anew_at) || (i == 0 && wish.is_another);
+        if (rows_.is_kept()) {
+            beat.is = rows_.kept(i);
+        } else if (music.song && !beat.rests_at_end) {
+            beat.is = rows_.repeated(phase, *music.song);
+        }
+    }
+    return wanted;
+}
+
+// What asks for another row of cells than the one that is decided.
+void CellSequence::take_wishes(const CellMusic& music, const FigureWish& wish) noexcept {
+    if (!wish.is_locked) {
+        rows_.let_go();
+    } else if (!rows_.is_kept()) {
+        rows_.keep(*content_->cells);
+    }
+    const bool is_asked = wish.is_another || wish.figure.has_value();
+    if (music.has_come_in || (is_asked && !has_cut_)) {
+        cut();
+    }
+    has_cut_ = is_asked;
+}
+
+// Leaves what is decided from the next beat on.
+void CellSequence::cut() noexcept {
+    const double at = std::ceil(phase_ + kCutAhead);
+    while (count_ > 1 && pieces_[count_ - 1].from >= at) {
+        --count_;
+    }
+    Piece& last = pieces_[count_ - 1];
+    last.until = std::min(last.until, std::max(at, std::ceil(last.rest.to)));
+    last_ = {static_cast<std::uint16_t>(cell_of(last, last.until - 0.5)), last.is_mirrored, false};
+    chooser_.forget_futures();
+}
+
+void CellSequence::advance(Beats phase,
+                           const CellMusic& music,
+                           FigureWish& wish) noexcept RAKS_NONBLOCKING {
     phase_ = phase.count();
     while (present_ + 1 < count_ && phase_ >= pieces_[present_ + 1].from) {
         ++present_;
         ++number_;
-        wish.is_another = false;
     }
     // The piece before is kept for as long as it is joined.
     if (present_ > 1) {
@@ -75,18 +160,26 @@ void CellSequence::advance(Beats phase, double energy, FigureWish& wish) noexcep
         count_ -= gone;
         present_ -= gone;
     }
-    wish.figure.reset();
+    take_wishes(music, wish);
     const double left = pieces_[count_ - 1].until - phase_;
     if (left > kDecided + kThinksFor) {
         return;
     }
-    const CellWish wanted{energy, wish.is_another, faces_us_};
-    chooser_.draw(*content_->cells, last_, end_on_stage(), wanted);
-    if (left <= kDecided && count_ + CellChooser::kFollowed <= pieces_.size()) {
-        for (const CellStep& step : chooser_.decide()) {
-            append(step);
-        }
+    chooser_.draw(*content_->cells, last_, end_on_stage(), wished(music, wish));
+    const bool is_due = left <= kDecided && (chooser_.is_drawn() || left <= kLatest);
+    if (is_due && count_ + CellChooser::kFollowed <= pieces_.size()) {
+        decide(music, wish);
     }
+}
+
+void CellSequence::decide(const CellMusic& music, FigureWish& wish) noexcept {
+    for (const CellStep& step : chooser_.decide()) {
+        rows_.note(step, pieces_[count_ - 1].until, music.song ? &*music.song : nullptr);
+        append(step);
+    }
+    wish.is_another = false;
+    wish.figure.reset();
+    has_cut_ = false;
 }
 
 void CellSequence::append(const CellStep& step) noexcept {
@@ -97,104 +190,76 @@ void CellSequence::append(const CellStep& step) noexcept {
         return;
     }
     Piece& next = pieces_[count_];
-    next = {.first_cell = step.cell,
-            .is_mirrored = step.is_mirrored,
-            .from = last.until,
-            .until = last.until + 1.0};
+    next = {};
+    next.first_cell = step.cell;
+    next.is_mirrored = step.is_mirrored;
+    next.from = last.until;
+    next.until = last.until + 1.0;
     lay(last, next);
     ++count_;
 }
 
-// Lays the next piece so that the feet that stand in both stay where they are, and decides how each
-// foot goes over.
-void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
-    const Skeleton& skeleton = content_->skeleton;
-    const Pose from = pose_of(before, after.from);
-    after.floor = {};
-    const Pose own = pose_of(after, after.from);
-    const double turn = floor_frame(from).heading - floor_frame(own).heading;
-    const FloorMove turned{turn, {}};
-    Pose to = turned(own);
-    const WorldPose a = world_body(skeleton, from);
-    WorldPose b = world_body(skeleton, to);
-    glm::vec3 apart{};
-    int standing = 0;
-    for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        if (from.foot_contact[s] && to.foot_contact[s]) {
-            apart += foot_place(skeleton, a, side).pivot - foot_place(skeleton, b, side).pivot;
-            ++standing;
-        }
-    }
-    apart =
-        standing > 0 ? apart / static_cast<float>(standing) : from.hips_position - to.hips_position;
-    after.floor = {turn, {static_cast<double>(apart.x), static_cast<double>(apart.z)}};
-    to = after.floor(own);
-    b = world_body(skeleton, to);
-    for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        after.swings[s] = {-kJoin, kJoin};
-        const bool stood = from.foot_contact[s];
-        const bool stands = to.foot_contact[s];
-        if (stood && stands) {
-            after.is_lifted[s] = way_between(foot_place(skeleton, a, side).pivot,
-                                             foot_place(skeleton, b, side).pivot) > kSlidesUnseen;
-            if (after.is_lifted[s]) {
-                // One foot after the other, or both would be in the air.
-                after.swings[s] =
-                    side == Side::left ? std::array{-kJoin, 0.0} : std::array{0.0, kJoin};
-            }
-        } else if (stood) {
-            after.swings[s] = {0.0, kJoin};
-        } else if (stands) {
-            after.swings[s] = {-kJoin, 0.0};
-        }
-    }
-}
-
-Pose CellSequence::joined(const Piece& before, const Piece& after, double phase) const noexcept {
-    const double at = phase - after.from;
-    const float share = smootherstep(static_cast<float>((at + kJoin) / (2.0 * kJoin)));
-    std::array<FootShare, 2> feet{};
-    for (std::size_t s = 0; s < feet.size(); ++s) {
-        const auto [from, to] = after.swings[s];
-        const float own = smootherstep(static_cast<float>((at - from) / (to - from)));
-        feet[s].share = own;
-        feet[s].lift = after.is_lifted[s] ? kAddedLift * 4.0F * own * (1.0F - own) : 0.0F;
-    }
-    return joined_poses(
-        content_->skeleton, pose_of(before, phase), pose_of(after, phase), share, feet);
-}
-
-Pose CellSequence::at(Beats phase) const noexcept RAKS_NONBLOCKING {
-    const double when = phase.count();
-    std::size_t i = 0;
-    while (i + 1 < count_ && when >= pieces_[i + 1].from) {
-        ++i;
-    }
-    if (i > 0 && when < pieces_[i].from + kJoin) {
-        return joined(pieces_[i - 1], pieces_[i], when);
-    }
-    if (i + 1 < count_ && when > pieces_[i + 1].from - kJoin) {
-        return joined(pieces_[i], pieces_[i + 1], when);
-    }
-    return pose_of(pieces_[i], when);
-}
-
 void CellSequence::jump(Beats phase) noexcept RAKS_NONBLOCKING {
-    Piece piece = present();
-    // In the last cell that is decided, where the phase has run ahead of what is.
-    const double beats = std::min(std::floor(phase_ - piece.from), piece.until - piece.from - 1.0);
-    const double part = phase.count() - std::floor(phase.count());
-    piece.first_cell = static_cast<std::uint16_t>(piece.first_cell + std::max(0.0, beats));
-    piece.from = phase.count() - part;
+    const CellGraph& graph = *content_->cells;
+    const Piece& old = pieces_[piece_at(phase_)];
+    const std::size_t cell = cell_of(old, phase_);
+    const FloorMove place = floor_frame(unsized(phase_));
+    Piece piece;
+    piece.from = std::floor(phase.count());
     piece.until = piece.from + 1.0;
-    last_ = {piece.first_cell, piece.is_mirrored, false};
-    pieces_[0] = piece;
-    count_ = 1;
-    present_ = 0;
+    piece.is_mirrored = old.is_mirrored;
+    std::size_t next = cell;
+    if (graph.cells[cell].is_second_half != is_odd(piece.from)) {
+        if (graph.has_successor(cell)) {
+            next = cell + 1;
+        } else if (!graph.arcs_of(cell).empty()) {
+            const CellArc& arc = graph.arcs_of(cell).front();
+            next = arc.to;
+            piece.is_mirrored = piece.is_mirrored != arc.is_mirrored;
+        }
+    }
+    piece.first_cell = static_cast<std::uint16_t>(next);
     phase_ = phase.count();
-    ++number_;
+    piece.floor = place * inverse(floor_frame(pose_of(piece, phase_)));
+    begin_with(piece);
+}
+
+// Some beats of the take bring it back to the beat on which its half of the bar begins. Of the ways
+// to do that, the one that is danced about as fast as the music and does not last long is taken.
+void CellSequence::go_on_from(Beats key, Beats phase) noexcept RAKS_NONBLOCKING {
+    const CellGraph& graph = *content_->cells;
+    const Piece stood = pieces_[piece_at(key.count())];
+    const std::size_t cell = cell_of(stood, key.count());
+    const double into =
+        shown(stood, key.count()) - stood.from - static_cast<double>(cell - stood.first_cell);
+    const double now = phase.count();
+    int best = 1;
+    double back = std::ceil(now + 1.0);
+    double least = 1e9;
+    for (int beats = 0; beats <= kMostToComeBack; ++beats) {
+        if (beats > 1 && !graph.has_successor(cell + static_cast<std::size_t>(beats) - 2)) {
+            break;
+        }
+        const bool is_second = graph.cells[cell].is_second_half != (beats % 2 != 0);
+        for (double at = std::ceil(now + kSoonestBack); at < now + kMostToComeBack; at += 1.0) {
+            const double rate = (beats - into) / (at - now);
+            const double cost = std::abs(rate - kRateBack) + kBackCost * (at - now);
+            if (is_odd(at) == is_second && rate > -0.1 && cost < least) {
+                least = cost;
+                best = beats;
+                back = at;
+            }
+        }
+    }
+    Piece piece;
+    piece.first_cell = static_cast<std::uint16_t>(cell);
+    piece.is_mirrored = stood.is_mirrored;
+    piece.floor = stood.floor;
+    piece.from = back - best;
+    piece.until = best > 0 ? back : back + 1.0;
+    piece.rest = {piece.from + into, now, back};
+    phase_ = now;
+    begin_with(piece);
 }
 
 const LibraryFigure& CellSequence::figure() const noexcept {
@@ -202,7 +267,8 @@ const LibraryFigure& CellSequence::figure() const noexcept {
 }
 
 double CellSequence::beat(Beats phase) const noexcept {
-    return content_->cells->cells[present().first_cell].beat + phase.count() - present().from;
+    return content_->cells->cells[present().first_cell].beat + shown(present(), phase.count()) -
+           present().from;
 }
 
 Beats CellSequence::end() const noexcept { return Beats(kBar * (std::floor(phase_ / kBar) + 1.0)); }

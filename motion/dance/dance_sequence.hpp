@@ -21,22 +21,40 @@ class DanceSequence {
     }
     /// The tempo for figures chosen from here on.
     void set_tempo(Bpm tempo) noexcept { figures_.set_tempo(tempo); }
-    /// To a phase; decides what comes next.
+    /// Whether it is a dance of cells.
+    [[nodiscard]] bool is_of_cells() const noexcept { return is_of_cells_; }
+    /// A dance of figures to a phase; decides what comes next. `energy`: of the music, [0, 1].
     void advance(Beats phase, double energy, FigureWish& wish) noexcept RAKS_NONBLOCKING {
-        is_of_cells_ ? cells_.advance(phase, energy, wish) : figures_.advance(phase, energy, wish);
+        figures_.advance(phase, energy, wish);
+    }
+    /// The same of a dance of cells.
+    void advance(Beats phase, const CellMusic& music, FigureWish& wish) noexcept RAKS_NONBLOCKING {
+        cells_.advance(phase, music, wish);
     }
     /// The phase was re-anchored.
     void jump(Beats phase) noexcept RAKS_NONBLOCKING {
         is_of_cells_ ? cells_.jump(phase) : figures_.jump(phase);
     }
+    /// The dance has stood still as at the phase `key` and is shown again from `phase` on. Figures
+    /// have gone on unseen; cells go on from where they stood.
+    void go_on_from(Beats key, Beats phase) noexcept RAKS_NONBLOCKING {
+        if (is_of_cells_) {
+            cells_.go_on_from(key, phase);
+        }
+    }
+    /// Whether the dance comes to rest at a phase: in a dance of cells, where the cell before ends
+    /// so.
+    [[nodiscard]] bool rests_at(Beats phase) const noexcept RAKS_NONBLOCKING {
+        return is_of_cells_ && cells_.rests_at(phase);
+    }
     /// Goes on in the same dance, solved for another body.
     void go_on_in(const DanceContent& content, const FloorMove& stage) noexcept {
         is_of_cells_ ? cells_.go_on_in(content, stage) : figures_.go_on_in(content, stage);
     }
-    /// The pose in the world at a phase up to kDecided after the last advance. A dance of cells
-    /// gives as much as the music by its choice, not by its manner.
+    /// The pose in the world at a phase up to kDecided after the last advance. Steps of cells are
+    /// as in the takes, whatever the manner.
     [[nodiscard]] Pose at(Beats phase, const Manner& manner = {}) const noexcept RAKS_NONBLOCKING {
-        return is_of_cells_ ? cells_.at(phase) : figures_.at(phase, manner);
+        return is_of_cells_ ? cells_.at(phase, manner) : figures_.at(phase, manner);
     }
     /// The present figure or take.
     [[nodiscard]] const LibraryFigure& figure() const noexcept {

@@ -31,7 +31,7 @@ const std::map<std::string, std::string> kCovered = {
     {"motion/dance/body/limb_ik.cpp", "LegIk, reaches_the_target_and_keeps_bone_lengths"},
     {"motion/dance/content_file.cpp", "DanceCache, solves_anew_what_is_damaged"},
     {"motion/dance/cell_content.cpp", "TrainTake, a_take_is_danced_by_its_name"},
-    {"motion/dance/cell_sequence.cpp", "TrainTake, a_take_is_danced_by_its_name"},
+    {"motion/dance/cell_joins.cpp", "CellSequence, calm_manners_make_its_poses_smaller"},
     {"motion/dance/pose_join.cpp", "FigureSequence, all_figures_begin_and_end_on_the"},
     {"training/cells/cell_training.cpp", "TrainTake, a_take_is_danced_by_its_name"},
     {"training/cells/take_moments.cpp", "TakeMoments, mirrored_twice_are_the_same"},

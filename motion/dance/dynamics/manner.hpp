@@ -41,6 +41,8 @@ class MannerOfMusic {
     [[nodiscard]] Manner manner() const noexcept RAKS_NONBLOCKING;
     /// How much the music gives now, smoothed as the manner is; [0, 1.3].
     [[nodiscard]] float energy() const noexcept { return energy_; }
+    /// What is left of the last drop or entry; [0, 1].
+    [[nodiscard]] float lift() const noexcept { return lift_; }
     /// As before any music.
     void reset() noexcept { *this = MannerOfMusic(); }
 

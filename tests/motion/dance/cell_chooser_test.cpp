@@ -29,12 +29,16 @@ FloorMove move_of(const CellGraph& graph, const CellStep& step) {
 Walk walk(const CellGraph& graph, std::uint64_t seed, std::size_t beats, double energy = 0.5) {
     CellChooser chooser;
     Walk walk;
+    CellWish wish;
+    for (CellBeatWish& beat : wish.beats) {
+        beat.energy = energy;
+    }
     CellStep last = chooser.start(graph, seed);
     walk.steps.push_back(last);
     walk.places.push_back(move_of(graph, last));
     while (walk.steps.size() < beats) {
         while (!chooser.is_drawn()) {
-            chooser.draw(graph, last, walk.places.back(), {.energy = energy});
+            chooser.draw(graph, last, walk.places.back(), wish);
         }
         for (const CellStep& step : chooser.decide()) {
             walk.steps.push_back(step);
@@ -117,6 +121,32 @@ TEST(CellChooser, the_same_seed_dances_the_same) {
     const auto other = walk(graph, 8, 100).steps;
     EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end(), is_same));
     EXPECT_FALSE(std::equal(one.begin(), one.end(), other.begin(), other.end(), is_same));
+}
+
+TEST(CellChooser, begins_a_half_of_the_bar_and_does_not_begin_as_it_did_before) {
+    const CellGraph graph = test::small_graph(6, 20, 8);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CellChooser chooser;
+        const CellStep first = chooser.start(graph, seed);
+        EXPECT_FALSE(graph.cells[first.cell].is_second_half) << seed;
+        EXPECT_NE(chooser.start(graph, seed).cell, first.cell) << seed;
+    }
+}
+
+TEST(CellChooser, a_row_is_followed_and_reached_along_no_arc_where_none_leads_to_it) {
+    const CellGraph graph = test::small_graph(6, 20, 8);
+    CellWish wish;
+    for (std::size_t beat = 0; beat < wish.beats.size(); ++beat) {
+        wish.beats[beat].is = CellStep{static_cast<std::uint16_t>(40 + beat), true, false};
+    }
+    CellChooser chooser;
+    const CellStep last = chooser.start(graph, 1);
+    while (!chooser.is_drawn()) {
+        chooser.draw(graph, last, {}, wish);
+    }
+    const auto steps = chooser.decide();
+    EXPECT_EQ(steps[1].cell, 41);
+    EXPECT_TRUE(steps[1].is_mirrored);
 }
 
 TEST(CellChooser, a_loop_without_a_choice_is_danced_on_and_on) {
