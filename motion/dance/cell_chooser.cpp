@@ -13,7 +13,7 @@ namespace {
 // From a prototype on a professional's dances: with these, energy asked and danced correlate by .5
 // to .6, and a fifth of the four-beat windows of three minutes were danced before.
 constexpr double kArcSoftness = 9.0;     // centimetres: weight exp(-(D / this)^2)
-constexpr double kEnergySpread = 0.25;   // metres a second
+constexpr double kEnergySpread = 0.30;   // of the shares that are drawn
 constexpr int kLongestRun = 8;           // beats of a take in a row
 constexpr int kShortRun = 3;             // a run is rarely cut before
 constexpr double kGoOnEarly = 8.0;       // weight of the natural successor in a short run
@@ -22,11 +22,12 @@ constexpr double kRepeatWeight = 0.003;  // of what was danced lately
 // Costs of a future.
 constexpr double kStageRadius = 1.3;  // metres from the middle that cost nothing
 constexpr double kStageCost = 2.5;    // a square metre beyond
-constexpr double kTurnedCost = 0.35;  // turned away, of 2
+constexpr double kTurnedCost = 1.0;   // turned away, of 2
 constexpr double kJoinCost = 0.5;
 constexpr double kJoinDistance = 10.0;  // centimetres that cost 1 more
-constexpr double kRepeatCost = 1.5;
-constexpr double kEnergyCost = 4.0;    // a metre a second
+constexpr double kRepeatCost = 2.5;
+constexpr double kEnergyCost = 4.0;    // of the greatest cell where the calmest is wanted
+constexpr double kNearShare = 0.15;    // a difference of shares that costs nothing: for variety
 constexpr double kRestCost = 7.0;      // a moment of middling speed where a rest is wanted
 constexpr double kGreatestCost = 3.0;  // a cell that is not one of the greatest where one is wanted
 constexpr double kNaturalCost = 2.0;   // the natural successor where another cell is wanted
@@ -40,9 +41,6 @@ constexpr double kRestSoftness = 2.5;
 constexpr std::uint64_t kDrawsAFuture = CellChooser::kLook + 1;
 constexpr std::uint64_t kStream = 40;  // of random numbers
 constexpr std::int32_t kNever = -1'000'000;
-// The calmest and the greatest cells are left for what asks for them.
-constexpr double kCalmest = 0.05;
-constexpr double kGreatest = 0.95;
 
 // How far the end of a cell is from a rest: 0 at rest, 1 as a cell of middling energy.
 double unrest(const CellGraph& graph, std::size_t cell) noexcept {
@@ -71,13 +69,17 @@ bool is_successor(const CellGraph& graph, const CellStep& from, const CellStep& 
 
 }  // namespace
 
-double cell_energy(const CellGraph& graph, double share) noexcept RAKS_NONBLOCKING {
-    const double within = kCalmest + (kGreatest - kCalmest) * std::clamp(share, 0.0, 1.0);
-    const double at = within * static_cast<double>(graph.energies.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), graph.energies.size() - 2);
-    const double part = at - static_cast<double>(i);
-    return (1.0 - part) * static_cast<double>(graph.energies[i]) +
-           part * static_cast<double>(graph.energies[i + 1]);
+double energy_share(const CellGraph& graph, std::size_t cell) noexcept RAKS_NONBLOCKING {
+    const float energy = graph.cells[cell].energy;
+    const auto& quantiles = graph.energies;
+    const auto above = std::upper_bound(quantiles.begin(), quantiles.end(), energy);
+    if (above == quantiles.begin() || above == quantiles.end()) {
+        return above == quantiles.begin() ? 0.0 : 1.0;
+    }
+    const float below = *(above - 1);
+    const float part = (energy - below) / (*above - below);
+    return (static_cast<double>(above - 1 - quantiles.begin()) + static_cast<double>(part)) /
+           static_cast<double>(quantiles.size() - 1);
 }
 
 bool may_follow(const CellGraph& graph,
@@ -104,15 +106,16 @@ CellStep CellChooser::start(const CellGraph& graph, std::uint64_t seed) noexcept
     }
     forget_futures();
     const CounterRandom random(seed, kStream);
-    const double wanted = cell_energy(graph, 0.4);
+    constexpr double kMiddling = 0.4;
     CellStep first;
     double least = 1e9;
     for (std::uint64_t i = 0; i < kFutures; ++i) {
         const std::uint64_t draw = static_cast<std::uint64_t>(beat_) * kFutures + i;
         const auto cell = static_cast<std::uint16_t>(random.below(draw, graph.cells.size()));
-        const double cost = std::abs(static_cast<double>(graph.cells[cell].energy) - wanted) +
+        const double cost = std::abs(energy_share(graph, cell) - kMiddling) +
                             (graph.has_successor(cell) ? 0.0 : 1.0) +
-                            (graph.cells[cell].is_second_half ? 10.0 : 0.0);
+                            (graph.cells[cell].is_second_half ? 10.0 : 0.0) +
+                            (beat_ - last_danced_[cell] < kNovel ? 1.0 : 0.0);
         if (cost < least) {
             least = cost;
             first = {cell, false, true};
@@ -164,8 +167,8 @@ double weight_of_age(std::int64_t beats) noexcept {
                                : 1.0;
 }
 
-double weight_of_energy(double energy, double wanted) noexcept {
-    const double off = (energy - wanted) / kEnergySpread;
+double weight_of_energy(double share, double wanted) noexcept {
+    const double off = (share - wanted) / kEnergySpread;
     return std::exp(-0.5 * off * off);
 }
 
@@ -233,10 +236,9 @@ std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
     }
     const CellBeatWish& beat = wish.beats[static_cast<std::size_t>(future.beats)];
     const std::size_t from = future.last.cell;
-    const double wanted = cell_energy(graph, beat.energy);
     const auto suits = [&](std::size_t cell, bool is_joined) {
         return weight_of_age(beats_since(future, cell, graph, is_joined)) *
-               weight_of_energy(static_cast<double>(graph.cells[cell].energy), wanted) *
+               weight_of_energy(energy_share(graph, cell), beat.energy) *
                (beat.rests_at_end ? std::exp(-kRestSoftness * unrest(graph, cell)) : 1.0);
     };
     const auto arcs = graph.arcs_of(from);
@@ -278,8 +280,8 @@ double CellChooser::cost_of(const CellGraph& graph,
     if (wish.is) {
         return is_same_cell(step, *wish.is) ? 0.0 : kOffRow;
     }
-    const double energy = static_cast<double>(graph.cells[step.cell].energy);
-    double cost = kEnergyCost * std::abs(energy - cell_energy(graph, wish.energy));
+    const double off = std::abs(energy_share(graph, step.cell) - wish.energy);
+    double cost = kEnergyCost * std::max(0.0, off - kNearShare);
     cost += wish.is_greatest && !is_greatest(graph, step.cell) ? kGreatestCost : 0.0;
     cost += wish.rests_at_end ? kRestCost * std::min(1.0, unrest(graph, step.cell)) : 0.0;
     cost += wish.is_another && !step.is_joined ? kNaturalCost : 0.0;

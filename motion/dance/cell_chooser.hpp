@@ -116,9 +116,9 @@ class CellChooser {
     std::array<std::int32_t, kMostCells> last_danced_{};  // beat; negative: never
 };
 
-/// Energy of the cell of which this share of the dance is calmer, [0, 1]; metres a second. The very
-/// calmest and greatest are left for what asks for them. Threads: any. Real-time: yes.
-[[nodiscard]] double cell_energy(const CellGraph& graph, double share) noexcept RAKS_NONBLOCKING;
+/// Share of the dance's cells that are calmer than a cell, [0, 1]. Threads: any. Real-time: yes.
+[[nodiscard]] double energy_share(const CellGraph& graph,
+                                  std::size_t cell) noexcept RAKS_NONBLOCKING;
 
 /// Whether a cell may follow another one: as the next beat of its take or along an arc.
 /// Threads: any. Real-time: yes.

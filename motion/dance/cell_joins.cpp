@@ -13,12 +13,20 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kJoin = 0.35;          // beats on either side of a join in which both are danced
-constexpr float kSlidesUnseen = 0.03F;  // metres that a standing foot may go over unseen
+constexpr double kJoin = 0.35;      // beats on either side of a join in which both are danced
+constexpr double kSample = 0.05;    // beats between looks at what stands
+constexpr double kNearJoin = 0.2;   // beats from a join within which a foot stands in both pieces
+constexpr float kFarApart = 0.10F;  // metres that a foot cannot stand aside from its piece
+constexpr float kSlidesUnseen = 0.01F;  // metres that a standing foot may go over unseen
 constexpr float kAddedLift = 0.04F;     // metres, at the middle of an added step
+constexpr double kLongestAside = 2.0;   // beats
+constexpr double kAddedStep = 0.4;      // beats
 
-float way_between(const glm::vec3& a, const glm::vec3& b) noexcept {
-    return glm::length(glm::vec2(a.x - b.x, a.z - b.z));
+glm::vec2 over_ground(const glm::vec3& place) noexcept { return {place.x, place.z}; }
+
+float yaw_of(const glm::quat& rotation) noexcept {
+    const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
+    return std::atan2(ahead.x, ahead.z);
 }
 
 // What the manner asks of a pose of takes: trunk, arms and height. Steps stay as long as they are,
@@ -54,49 +62,137 @@ Pose CellSequence::pose_of(const Piece& piece, double phase) const noexcept {
         motion::pose_of(*content_, choice, cell.beat + shown(piece, phase) - piece.from));
 }
 
-// Lays the next piece so that the feet that stand in both stay where they are, and decides how each
-// foot goes over.
-void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
+// The pose of a piece with its feet where they still stand from the piece before.
+Pose CellSequence::with_feet(const Piece& piece, double phase) const noexcept {
+    Pose pose = pose_of(piece, phase);
+    const double at = phase - piece.from;
+    const auto is_over = [at](const FootJoin& foot) { return !foot.stays || at >= foot.lands; };
+    if (std::all_of(piece.feet.begin(), piece.feet.end(), is_over)) {
+        return pose;
+    }
     const Skeleton& skeleton = content_->skeleton;
-    const Pose from = pose_of(before, after.from);
-    after.floor = {};
-    const Pose own = pose_of(after, after.from);
-    const double turn = floor_frame(from).heading - floor_frame(own).heading;
-    const FloorMove turned{turn, {}};
-    Pose to = turned(own);
-    const WorldPose a = world_body(skeleton, from);
-    WorldPose b = world_body(skeleton, to);
-    glm::vec3 apart{};
-    int standing = 0;
+    const WorldPose world = world_body(skeleton, pose);
+    std::array<FootTarget, 2> targets;
+    std::array<glm::vec3, 2> ankles{};
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        if (from.foot_contact[s] && to.foot_contact[s]) {
-            apart += foot_place(skeleton, a, side).pivot - foot_place(skeleton, b, side).pivot;
-            ++standing;
+        const FootJoin& foot = piece.feet[s];
+        const FootPlace place = foot_place(skeleton, world, side);
+        float left = 0.0F;
+        if (!is_over(foot)) {
+            const double gone = (at - foot.leaves) / (foot.lands - foot.leaves);
+            left = 1.0F - smootherstep(static_cast<float>(gone));
+        }
+        targets[s].rotation = turn_about_up(left * foot.yaw) * place.rotation;
+        const glm::vec2 aside = left * foot.aside;
+        glm::vec3 pivot = place.pivot + glm::vec3(aside.x, 0.0F, aside.y);
+        if (foot.is_lifted && left > 0.0F && left < 1.0F) {
+            pivot.y += kAddedLift * 4.0F * left * (1.0F - left);
+            pose.foot_contact[s] = false;
+        }
+        targets[s].ankle = pivot - pivot_from_ankle(skeleton, side, targets[s].rotation);
+        ankles[s] = targets[s].ankle;
+    }
+    lower_to_reach(skeleton, ankles, pose);
+    for (const Side side : kSides) {
+        solve_leg(skeleton, side, targets[static_cast<std::size_t>(side)], pose);
+    }
+    return pose;
+}
+
+// When each foot stands last before the join, in beats from it; -kJoin: not since then.
+std::array<double, 2> CellSequence::stood_until(const Piece& before, double join) const noexcept {
+    std::array<double, 2> until{-kJoin, -kJoin};
+    for (double at = -kJoin; at <= 0.0; at += kSample) {
+        const Pose pose = pose_of(before, join + at);
+        for (std::size_t s = 0; s < until.size(); ++s) {
+            until[s] = pose.foot_contact[s] ? at : until[s];
         }
     }
-    apart =
-        standing > 0 ? apart / static_cast<float>(standing) : from.hips_position - to.hips_position;
-    after.floor = {turn, {static_cast<double>(apart.x), static_cast<double>(apart.z)}};
-    to = after.floor(own);
-    b = world_body(skeleton, to);
+    return until;
+}
+
+// When each foot stands first after the join, at most kJoin, then leaves and then stands again, at
+// most kLongestAside.
+std::array<CellSequence::Stand, 2> CellSequence::stands_from(const Piece& after) const noexcept {
+    std::array<Stand, 2> stands;
+    stands.fill({kJoin, kLongestAside, kLongestAside});
+    std::array<int, 2> found{};
+    for (double at = 0.0; at <= kLongestAside && found != std::array{3, 3};
+         at += at < kJoin ? kSample : 2.0 * kSample) {
+        const Pose pose = pose_of(after, after.from + at);
+        for (std::size_t s = 0; s < stands.size(); ++s) {
+            const bool is_down = pose.foot_contact[s];
+            if (found[s] == 0 && (is_down || at >= kJoin)) {
+                stands[s].from = std::min(at, kJoin);
+                found[s] = 1;
+            } else if (found[s] == 1 && !is_down) {
+                stands[s].leaves = at;
+                found[s] = 2;
+            } else if (found[s] == 2 && is_down) {
+                stands[s].lands = at;
+                found[s] = 3;
+            }
+        }
+    }
+    return stands;
+}
+
+// Lays the next piece so that the feet that stand in both stay where they are, and decides how each
+// foot goes over: one that stands in both stays where it is until the next piece takes it away;
+// others go over while they are in the air.
+void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
+    const Skeleton& skeleton = content_->skeleton;
+    const std::array<double, 2> until = stood_until(before, after.from);
+    const std::array<Stand, 2> stands = stands_from(after);
+    const Pose from = with_feet(before, after.from);
+    after.floor = {};
+    const Pose own = pose_of(after, after.from);
+    const FloorMove turned{floor_frame(from).heading - floor_frame(own).heading, {}};
+    std::array<FootPlace, 2> stood;
+    std::array<FootPlace, 2> stand;
+    glm::vec2 apart{};
+    float standing = 0.0F;
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        after.swings[s] = {-kJoin, kJoin};
-        const bool stood = from.foot_contact[s];
-        const bool stands = to.foot_contact[s];
-        if (stood && stands) {
-            after.is_lifted[s] = way_between(foot_place(skeleton, a, side).pivot,
-                                             foot_place(skeleton, b, side).pivot) > kSlidesUnseen;
-            if (after.is_lifted[s]) {
-                // One foot after the other, or both would be in the air.
-                after.swings[s] =
-                    side == Side::left ? std::array{-kJoin, 0.0} : std::array{0.0, kJoin};
-            }
-        } else if (stood) {
-            after.swings[s] = {0.0, kJoin};
-        } else if (stands) {
-            after.swings[s] = {-kJoin, 0.0};
+        FootJoin& foot = after.feet[s];
+        foot.stays = until[s] > -kNearJoin && stands[s].from < kNearJoin;
+        if (foot.stays) {
+            const Pose last = with_feet(before, after.from + until[s]);
+            const Pose first = turned(pose_of(after, after.from + stands[s].from));
+            stood[s] = foot_place(skeleton, world_body(skeleton, last), side);
+            stand[s] = foot_place(skeleton, world_body(skeleton, first), side);
+            apart += over_ground(stood[s].pivot - stand[s].pivot);
+            standing += 1.0F;
+        }
+    }
+    apart = standing > 0.0F ? apart / standing
+                            : over_ground(from.hips_position - turned(own).hips_position);
+    after.floor = {turned.heading, glm::dvec2(apart)};
+    for (const Side side : kSides) {
+        const auto s = static_cast<std::size_t>(side);
+        FootJoin& foot = after.feet[s];
+        foot.from = until[s];
+        foot.to = stands[s].from;
+        if (!foot.stays) {
+            continue;
+        }
+        foot.aside = over_ground(stood[s].pivot - stand[s].pivot) - apart;
+        foot.yaw = static_cast<float>(
+            std::remainder(yaw_of(stood[s].rotation) - yaw_of(stand[s].rotation), 2.0 * M_PI));
+        foot.leaves = stands[s].leaves;
+        foot.lands = std::max(stands[s].lands, foot.leaves + kSample);
+        const float way = glm::length(foot.aside);
+        // One foot after the other, or both would be in the air.
+        const double first = side == Side::left ? 0.0 : kAddedStep;
+        if (way > kFarApart) {
+            foot.leaves = first - kAddedStep;
+            foot.lands = first;
+            foot.is_lifted = true;
+        } else if (foot.lands >= kLongestAside) {
+            foot.leaves = kJoin + first;
+            foot.lands = foot.leaves + kAddedStep;
+            foot.is_lifted = way > kSlidesUnseen;
         }
     }
 }
@@ -106,13 +202,22 @@ Pose CellSequence::joined(const Piece& before, const Piece& after, double phase)
     const float share = smootherstep(static_cast<float>((at + kJoin) / (2.0 * kJoin)));
     std::array<FootShare, 2> feet{};
     for (std::size_t s = 0; s < feet.size(); ++s) {
-        const auto [from, to] = after.swings[s];
-        const float own = smootherstep(static_cast<float>((at - from) / (to - from)));
-        feet[s].share = own;
-        feet[s].lift = after.is_lifted[s] ? kAddedLift * 4.0F * own * (1.0F - own) : 0.0F;
+        const FootJoin& foot = after.feet[s];
+        feet[s].share =
+            foot.stays ? share
+                       : smootherstep(static_cast<float>((at - foot.from) / (foot.to - foot.from)));
     }
-    return joined_poses(
-        content_->skeleton, pose_of(before, phase), pose_of(after, phase), share, feet);
+    const Pose from = with_feet(before, phase);
+    const Pose to = with_feet(after, phase);
+    Pose pose = joined_poses(content_->skeleton, from, to, share, feet);
+    for (std::size_t s = 0; s < feet.size(); ++s) {
+        const FootJoin& foot = after.feet[s];
+        const bool goes_over = !foot.stays && at > foot.from && at < foot.to;
+        const bool is_of_next = foot.stays ? at >= 0.0 : at >= foot.to;
+        pose.foot_contact[s] =
+            !goes_over && (is_of_next ? to.foot_contact[s] : from.foot_contact[s]);
+    }
+    return pose;
 }
 
 Pose CellSequence::unsized(double phase) const noexcept {
@@ -123,7 +228,7 @@ Pose CellSequence::unsized(double phase) const noexcept {
     if (i + 1 < count_ && phase > pieces_[i + 1].from - kJoin) {
         return joined(pieces_[i], pieces_[i + 1], phase);
     }
-    return pose_of(pieces_[i], phase);
+    return with_feet(pieces_[i], phase);
 }
 
 Pose CellSequence::at(Beats phase, const Manner& manner) const noexcept RAKS_NONBLOCKING {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFeltSeconds = 0.8;      // time constant of the energy that is felt
 constexpr double kLiftShare = 0.5;        // of a drop's lift that counts as energy
-constexpr double kBreakdownShare = 0.1;   // of the cells: those that suit a breakdown at most
+constexpr double kBreakdownShare = 0.25;  // of the cells: those that suit a breakdown at most
 constexpr double kLookAhead = 12.0;       // beats in which events are looked for
 constexpr double kRestBeats = 2.0;        // of a rest at the end of a phrase
 constexpr double kRestShare = 0.7;        // of the phrases that end in a rest

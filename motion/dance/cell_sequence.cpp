@@ -6,16 +6,16 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kThinksFor = 1.0;    // beats before a decision in which futures are drawn
-constexpr double kLatest = 0.5;       // beats ahead that are decided, also without all futures
-constexpr double kCutAhead = 0.6;     // beats before which nothing that is decided changes
-constexpr int kBar = 4;               // beats
-constexpr double kDropLasts = 4.0;    // beats of the greatest cells
-constexpr double kBeatRounding = 1e-6;    // beats
-constexpr int kMostToComeBack = 6;    // beats of a take in which it comes from a rest into time
-constexpr double kRateBack = 0.95;    // at which it does best
-constexpr double kBackCost = 0.08;    // of a beat that passes until then
-constexpr double kSoonestBack = 0.4;  // beats
+constexpr double kThinksFor = 1.0;      // beats before a decision in which futures are drawn
+constexpr double kLatest = 0.5;         // beats ahead that are decided, also without all futures
+constexpr double kCutAhead = 0.6;       // beats before which nothing that is decided changes
+constexpr int kBar = 4;                 // beats
+constexpr double kDropLasts = 4.0;      // beats of the greatest cells
+constexpr double kBeatRounding = 1e-6;  // beats
+constexpr int kMostToComeBack = 6;      // beats of a take in which it comes from a rest into time
+constexpr double kRateBack = 1.1;       // at which it does best
+constexpr double kBackCost = 0.08;      // of a beat that passes until then
+constexpr double kSoonestBack = 0.4;    // beats
 
 bool is_odd(double phase) noexcept { return std::lround(phase) % 2 != 0; }
 

@@ -77,16 +77,32 @@ class CellSequence {
         double from = -1.0;
         double to = -1.0;
     };
+    /// How a foot comes from one piece to the next; times are beats from the join.
+    struct FootJoin {
+        double from = 0.0;       // when it begins to go over; not of one that stays
+        double to = 0.0;         // when it has
+        bool stays = false;      // where it stood in the piece before, until this one moves it
+        glm::vec2 aside{};       // of one that stays: from where this piece has it; metres
+        float yaw = 0.0F;        // likewise, radians
+        double leaves = 0.0;     // when it begins to come to where this piece has it
+        double lands = 0.0;      // when it is there
+        bool is_lifted = false;  // by a step of its own
+    };
+    /// When a foot stands first after a join, leaves, and lands again; beats from the join.
+    struct Stand {
+        double from = 0.0;
+        double leaves = 0.0;
+        double lands = 0.0;
+    };
     /// Some beats of one take.
     struct Piece {
         std::uint16_t first_cell = 0;
         bool is_mirrored = false;
-        double from = 0.0;                              // phase at which it begins
-        double until = 0.0;                             // phase up to which it is decided
-        FloorMove floor{};                              // from the take's frame to the world
-        Rest rest{};                                    // that it comes from
-        std::array<std::array<double, 2>, 2> swings{};  // by Side: when it goes over, after `from`
-        std::array<bool, 2> is_lifted{};                // by Side: by a step of its own
+        double from = 0.0;               // phase at which it begins
+        double until = 0.0;              // phase up to which it is decided
+        FloorMove floor{};               // from the take's frame to the world
+        Rest rest{};                     // that it comes from
+        std::array<FootJoin, 2> feet{};  // by Side: how it comes from the piece before
     };
     [[nodiscard]] const Piece& present() const noexcept { return pieces_[present_]; }
     [[nodiscard]] static double shown(const Piece& piece, double phase) noexcept;
@@ -101,6 +117,10 @@ class CellSequence {
     void cut() noexcept;
     void begin_with(const Piece& piece) noexcept;
     void append(const CellStep& step) noexcept;
+    [[nodiscard]] Pose with_feet(const Piece& piece, double phase) const noexcept;
+    [[nodiscard]] std::array<double, 2> stood_until(const Piece& before,
+                                                    double join) const noexcept;
+    [[nodiscard]] std::array<Stand, 2> stands_from(const Piece& after) const noexcept;
     void lay(const Piece& before, Piece& after) const noexcept;
     [[nodiscard]] FloorMove end_on_stage() const noexcept;
 

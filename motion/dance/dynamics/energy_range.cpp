@@ -26,14 +26,14 @@ void EnergyRange::hear(float energy) noexcept RAKS_NONBLOCKING {
     sum_ = sum_ * stays + hop;
 }
 
-// Each bin is spread evenly over its width.
+// Each bin is spread evenly over its width and that of its neighbours.
 double EnergyRange::share_below(double energy) const noexcept RAKS_NONBLOCKING {
     const double clamped = std::clamp(energy, 0.0, 1.0);
     const double at = clamped * static_cast<double>(kBins - 1) + 0.5;
     double below = 0.0;
     for (std::size_t i = 0; i < kBins; ++i) {
-        below +=
-            static_cast<double>(seconds_[i]) * std::clamp(at - static_cast<double>(i), 0.0, 1.0);
+        below += static_cast<double>(seconds_[i]) *
+                 std::clamp((at + 1.0 - static_cast<double>(i)) / 3.0, 0.0, 1.0);
     }
     return (below + kHeldLikely * clamped) / (static_cast<double>(sum_) + kHeldLikely);
 }

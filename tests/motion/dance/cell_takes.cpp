@@ -63,7 +63,7 @@ const CellDance& salsa_cells() {
     static const CellDance dance = [] {
         CellDance made = unmeasured_cells();
         const DanceContent content = solved(made);
-        int standing = 0;
+        int halves = 0;
         for (Cell& cell : made.graph.cells) {
             Pose from;
             Pose to;
@@ -73,8 +73,8 @@ const CellDance& salsa_cells() {
             const FloorMove move = inverse(floor_frame(from)) * floor_frame(to);
             cell.turn = static_cast<float>(std::remainder(move.heading, 2.0 * M_PI));
             cell.way = glm::vec2(move.offset);
-            cell.stands_at_end = to.foot_contact[0] && to.foot_contact[1];
-            if (cell.stands_at_end && standing++ % 3 == 0) {
+            if (cell.is_second_half && halves++ % 3 == 0) {
+                cell.stands_at_end = true;
                 cell.speed_at_end = 0.1F;
             }
         }

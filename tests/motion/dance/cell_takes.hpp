@@ -10,8 +10,8 @@
 namespace raks::motion::test {
 
 /// A dance of cells whose takes are the shipped figures of salsa, joined at random: each cell has
-/// the turn and the way that its take has, every third one that ends on both feet is a rest, and
-/// later cells of a take have more energy.
+/// the turn and the way that its take has, every third one that ends half a bar counts as a rest,
+/// and later cells of a take have more energy.
 const CellDance& salsa_cells();
 /// The same, solved for the mannequin.
 const DanceContent& salsa_cell_content();
