@@ -70,8 +70,9 @@ const std::array kRows = std::to_array<SettingRow>({
      .field = &Settings::fallback_dance,
      .help = "danced when nothing is recognised: a dance, keep (the dance that is on) or stand",
      .manual =
-         "danced when nothing is recognised: a dance, `first` (the list's first), `keep` (the "
-         "one that is on), `stand`"},
+         "danced when nothing is recognised: a dance (to a tempo that is neither its own nor half "
+         "or twice of it: the dance of the nearest tempo), `first` (the list's first), `keep` "
+         "(the one that is on), `stand`"},
     {.section = "dance",
      .name = "figures",
      .field = &Settings::figures,

@@ -24,7 +24,7 @@ constexpr double kAddedStep = 0.4;      // beats
 
 glm::vec2 over_ground(const glm::vec3& place) noexcept { return {place.x, place.z}; }
 
-float yaw_of(const glm::quat& rotation) noexcept {
+float heading_of_foot(const glm::quat& rotation) noexcept {
     const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
     return std::atan2(ahead.x, ahead.z);
 }
@@ -179,7 +179,7 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
         }
         foot.aside = over_ground(stood[s].pivot - stand[s].pivot) - apart;
         foot.yaw = static_cast<float>(
-            std::remainder(yaw_of(stood[s].rotation) - yaw_of(stand[s].rotation), 2.0 * M_PI));
+            std::remainder(heading_of_foot(stood[s].rotation) - heading_of_foot(stand[s].rotation), 2.0 * M_PI));
         foot.leaves = stands[s].leaves;
         foot.lands = std::max(stands[s].lands, foot.leaves + kSample);
         const float way = glm::length(foot.aside);
