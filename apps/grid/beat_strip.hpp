@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <string>
 #include <vector>
 
+#include "base/expected.hpp"
+#include "motion/skeleton/pose.hpp"
 #include "training/cells/take_grid.hpp"
+#include "training/figures/figure_trainer.hpp"
 
 namespace raks::apps {
 
@@ -32,5 +35,17 @@ using StripRow = std::vector<StripPicture>;
 /// begins where halves do not alternate, and behind a gap between beats of more than 1.5 s, in
 /// which there is no picture either. Of the last beat before a gap only the beat itself is shown.
 [[nodiscard]] std::vector<StripRow> strip_rows(const motion::TakeGrid& grid);
+
+/// A page of a strip.
+struct StripPage {
+    std::string name;  ///< of its file, without ending: the take's, with a number where it has more
+    std::string title;  ///< above it
+    std::vector<StripRow> rows;
+    std::vector<motion::Pose> poses;  ///< of its pictures in order, at the middle of the stage
+};
+
+/// The pages of a take's beats. Errors: beats behind the end of the clip.
+[[nodiscard]] Expected<std::vector<StripPage>> strip_pages(const motion::TrainingClip& clip,
+                                                           const motion::TakeGrid& grid);
 
 }  // namespace raks::apps

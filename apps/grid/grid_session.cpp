@@ -103,6 +103,10 @@ class GridChange {
         session_.stretch.reset();
         session_.held.reset();
     }
+    void operator()(const ReplaceBeats& replace) {
+        change(replace.beats);
+        session_.chosen.reset();
+    }
     void operator()(const UndoGrid& /*action*/) {
         session_.beats.undo();
         keep_chosen();

@@ -15,7 +15,8 @@ namespace raks::apps {
 /// A beat that is being dragged.
 struct HeldBeat {
     std::size_t beat = 0;
-    double time = 0.0;  ///< where it is now
+    double time = 0.0;       ///< where it is now
+    bool has_moved = false;  ///< far enough to be meant
 };
 
 /// A stretch of the clip, seconds.
@@ -35,6 +36,15 @@ struct GridSession {
     std::optional<GridStretch> stretch;  ///< that was marked
     std::optional<HeldBeat> held;        ///< while the button is down
     std::vector<double> taps;            ///< of the run that goes on; a step once it ends
+    bool is_new = false;                 ///< no file holds the grid that it began with
+
+    /// Whether a file holds the beats as they are.
+    [[nodiscard]] bool is_saved() const { return !is_new && taps.empty() && beats.is_saved(); }
+    /// A file holds them now.
+    void mark_saved() {
+        beats.mark_saved();
+        is_new = false;
+    }
 
     /// The beats as they are shown: with what is dragged or tapped just now.
     [[nodiscard]] GridBeats shown() const;
@@ -98,6 +108,10 @@ struct MarkStretch {
 };
 /// Nothing is chosen or marked.
 struct ForgetChosen {};
+/// Other beats altogether.
+struct ReplaceBeats {
+    GridBeats beats;
+};
 /// The last step is taken back.
 struct UndoGrid {};
 /// Or done again.
@@ -120,6 +134,7 @@ using GridAction = std::variant<ChooseBeat,
                                 ToggleUse,
                                 MarkStretch,
                                 ForgetChosen,
+                                ReplaceBeats,
                                 UndoGrid,
                                 RedoGrid>;
 

@@ -1,9 +1,12 @@
 #include "apps/grid/take_music.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "apps/dances/known_dances.hpp"
+#include "base/music_state.hpp"
 #include "base/time.hpp"
 #include "engine/offline/song_planner.hpp"
 
@@ -42,6 +45,17 @@ Expected<TakeMusic> read_take_music(const std::filesystem::path& file) {
         return fail(file.string() + ": no beats were heard in it");
     }
     return take;
+}
+
+std::string offset_line(const std::string& song, const motion::MusicOffset& found) {
+    constexpr double kSure = 4.0;  // deviations
+    return fmt::format(
+        "{}: by landings the clip begins {:.2f} s into it{}; a beat or a bar more is as good: "
+        "look, "
+        "and give --offset S",
+        song,
+        found.seconds,
+        found.strength >= kSure ? "" : ", hardly surer than by chance");
 }
 
 }  // namespace raks::apps

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "training/cells/grid_music.hpp"
 #include "training/figures/label_counts.hpp"
 
 namespace raks::apps {
@@ -22,5 +23,8 @@ struct TakeMusic {
 /// Analyzes a whole song, as `raks play` does before it plays it. Errors: as engine::plan_song; a
 /// song of more than an hour. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<TakeMusic> read_take_music(const std::filesystem::path& file);
+
+/// What a person is told of an offset that was found by the motion.
+[[nodiscard]] std::string offset_line(const std::string& song, const motion::MusicOffset& found);
 
 }  // namespace raks::apps

@@ -286,6 +286,9 @@ struct StickArguments {
     Path joints_output;                ///< a joint map to write instead of a picture; empty: none
     Path counts;                       ///< TSV of beats of takes; `input` may be a folder; or none
     Path strips;                       ///< folder for strips of these beats; empty: none
+    bool edits = false;                ///< sets these beats right in a window
+    Path music;                        ///< that the take was danced to; empty: none
+    std::optional<double> offset;      ///< seconds of it at the first frame; none: found
 };
 /// Plays a motion clip's own skeleton as a stick figure; without a display draws a sheet.
 [[nodiscard]] ExitCode stick(const StickArguments& arguments);

@@ -223,6 +223,14 @@ void add_stick(RaksCommands& table) {
         app->add_option("--counts", a->counts, "X.tsv: beats of takes; FILE may be their folder");
     app->add_option("--strips", a->strips, "FOLDER: pictures of each take's beats, eight a row")
         ->needs(counts);
+    auto* const edit =
+        app->add_flag("--edit", a->edits, "set the beats of one take right in a window");
+    edit->needs(counts);
+    auto* const music =
+        app->add_option("--music", a->music, "song that the take was danced to")->needs(edit);
+    app->add_option("--offset", a->offset, "seconds of the song at the clip's first frame")
+        ->check(in_range(-86400.0, 86400.0))
+        ->needs(music);
     app->add_option("--write-joints", a->joints_output, "X.toml: write what is found, to mend it");
     add_setting_options(*app, a->settings, {&Settings::theme});
     app->add_option("--camera", a->settings.camera, "wide, portrait, front, side, back or top");

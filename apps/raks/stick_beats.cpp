@@ -4,72 +4,57 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "apps/clips/clip_reading.hpp"
+#include "apps/grid/grid_window.hpp"
+#include "apps/grid/read_take.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/stick_strips.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
-#include "motion/figures/label_tables.hpp"
-#include "training/cells/take_grid.hpp"
-#include "training/figures/training_clip.hpp"
-#include "training/figures/training_plan.hpp"
 
 namespace raks::apps {
 namespace {
 
 // Errors: of the joints' options.
-Expected<motion::ClipUnits> units_of(const StickArguments& arguments) {
+Expected<TakeReading> reading_of(const StickArguments& arguments) {
     auto joints = arguments.joints.labels();
     if (!joints) {
         return fail(std::move(joints.error()));
     }
-    const motion::BodyOptions body = arguments.body.options();
-    motion::ClipUnits units;
-    units.reading = clip_reading(arguments.fps, arguments.skeleton);
-    units.up = body.up;
-    units.metres_per_unit = body.metres_per_unit;
-    units.height = body.height;
-    units.joints = std::move(*joints);
-    return units;
+    return TakeReading{clip_reading(arguments.fps, arguments.skeleton),
+                       arguments.body.options(),
+                       std::move(*joints)};
 }
 
-Expected<motion::TrainingClip> load_take(const Path& path, const motion::ClipUnits& units) {
-    std::vector<std::string> warnings;
-    auto clip = motion::load_clip(path, units, warnings);
-    for (const std::string& warning : warnings) {
-        say(warning);
+// Reads a clip and prints what is to be known of it.
+Expected<ReadTake> read_and_say(const Path& path, const TakeReading& reading) {
+    auto take = read_take(path, reading);
+    if (take) {
+        for (const std::string& warning : take->warnings) {
+            say(warning);
+        }
     }
-    return clip;
+    return take;
 }
 
-// The grids of the table whose clips were given. Errors: there is none.
-Expected<std::vector<motion::TakeGrid>> grids_of_clips(const std::map<std::string, Path>& clips,
-                                                       const Path& table) {
-    const auto beats = motion::load_take_beats(table);
-    if (!beats) {
-        return fail(beats.error());
-    }
-    std::vector<motion::TakeGrid> grids = motion::grids_of(*beats);
-    std::erase_if(grids, [&](const motion::TakeGrid& grid) { return !clips.contains(grid.take); });
-    if (grids.empty()) {
-        return fail(fmt::format("{}: has no beats of {}",
-                                table.string(),
-                                clips.size() == 1 ? clips.begin()->first : "any of the clips"));
-    }
-    return grids;
-}
-
+// All takes of the table whose clips were given. Errors: there is none.
 Expected<void> draw_all(const StickArguments& arguments,
                         const std::map<std::string, Path>& clips,
-                        const motion::ClipUnits& units) {
-    const auto grids = grids_of_clips(clips, arguments.counts);
-    if (!grids) {
-        return fail(grids.error());
+                        const TakeReading& reading) {
+    auto table = read_grid_table(arguments.counts);
+    if (!table) {
+        return fail(std::move(table.error()));
+    }
+    std::erase_if(table->grids, [&](const auto& grid) { return !clips.contains(grid.take); });
+    if (table->grids.empty()) {
+        return fail(fmt::format("{}: has no beats of {}",
+                                arguments.counts.string(),
+                                clips.size() == 1 ? clips.begin()->first : "any of the clips"));
     }
     if (auto made = make_folders(arguments.strips); !made) {
         return made;
@@ -82,12 +67,12 @@ Expected<void> draw_all(const StickArguments& arguments,
     if (!studio) {
         return fail(studio.error());
     }
-    for (const motion::TakeGrid& grid : *grids) {
-        const auto clip = load_take(clips.at(grid.take), units);
-        if (!clip) {
-            return fail(clip.error());
+    for (const auto& grid : table->grids) {
+        const auto take = read_and_say(clips.at(grid.take), reading);
+        if (!take) {
+            return fail(take.error());
         }
-        if (auto written = write_strips(*clip, grid, arguments.strips, *studio); !written) {
+        if (auto written = write_strips(*take, grid, arguments.strips, *studio); !written) {
             return fail(std::move(written.error()).in(arguments.counts.string()));
         }
         if (stop_signal()) {
@@ -97,24 +82,63 @@ Expected<void> draw_all(const StickArguments& arguments,
     return {};
 }
 
+Expected<void> edit(const StickArguments& arguments,
+                    const std::map<std::string, Path>& clips,
+                    const TakeReading& reading) {
+    if (clips.size() != 1) {
+        return fail(arguments.input.string() + ": --edit is for one clip; name its file");
+    }
+    auto take = read_and_say(clips.begin()->second, reading);
+    if (!take) {
+        return fail(std::move(take.error()));
+    }
+    std::optional<DancedSong> song;
+    if (!arguments.music.empty()) {
+        auto read = read_song(arguments.music, arguments.offset, take->cues);
+        if (!read) {
+            return fail(std::move(read.error()));
+        }
+        if (!read->note.empty()) {
+            say(read->note);
+        }
+        song = std::move(*read);
+    }
+    auto edited = begin_editing(std::move(*take), arguments.counts, std::move(song));
+    if (!edited) {
+        return fail(std::move(edited.error()));
+    }
+    const auto look = open_look(arguments.settings);
+    if (!look) {
+        return fail(look.error());
+    }
+    return edit_in_window(std::move(*edited), *look, [] { return stop_signal().has_value(); });
+}
+
 }  // namespace
 
 ExitCode stick_beats(const StickArguments& arguments) {
-    if (arguments.strips.empty()) {
+    if (arguments.strips.empty() && !arguments.edits) {
         complain("--counts needs --strips FOLDER, to draw them, or --edit, to set them right");
         return kExitUsage;
     }
-    const auto units = units_of(arguments);
-    if (!units) {
-        return fail(units.error());
+    if (!arguments.output.empty() || !arguments.other.empty() || arguments.as_json) {
+        complain("with --counts there is neither -o nor --json nor a second motion");
+        return kExitUsage;
     }
-    motion::FigureTrainingPlan files;
-    files.clips = {arguments.input};
-    const auto clips = motion::clips_by_take(files);
+    const auto reading = reading_of(arguments);
+    if (!reading) {
+        return fail(reading.error());
+    }
+    const auto clips = clips_of_takes(arguments.input);
     if (!clips) {
         return fail(clips.error());
     }
-    return exit_code_of(draw_all(arguments, *clips, *units));
+    if (!arguments.strips.empty()) {
+        if (auto drawn = draw_all(arguments, *clips, *reading); !drawn) {
+            return fail(std::move(drawn.error()));
+        }
+    }
+    return arguments.edits ? exit_code_of(edit(arguments, *clips, *reading)) : ExitCode(kExitDone);
 }
 
 }  // namespace raks::apps

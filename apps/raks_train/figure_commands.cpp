@@ -77,12 +77,20 @@ void add_train_figure(CommandTable& table) {
 void add_train_take(CommandTable& table) {
     auto [app, a] = table.add(table.app(), "take", "make a dance of whole takes", train_take);
     app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
-    app->add_option("--counts", a->counts, "TSV: take, time, half, used; a row a beat")->required();
+    auto* const counts =
+        app->add_option("--counts", a->counts, "TSV: take, time, half, used; a row a beat");
+    auto* const propose =
+        app->add_option("--propose", a->propose, "X.tsv: propose that table and stop")
+            ->excludes(counts);
+    auto* const music =
+        app->add_option("--music", a->music, "song that was danced to")->needs(propose);
+    app->add_option("--offset", a->offset, "seconds of the song at a clip's first frame")
+        ->check(in_range(-86400.0, 86400.0))
+        ->needs(music);
     app->add_option("--dance", a->dance, "its name, where -o is a folder");
     app->add_option("--licence", a->licence, "of the takes, and who made them");
     add_body_options(*app, a->body);
-    app->add_option("-o,--out", a->output, "NAME of a dance to install it as, or a folder")
-        ->required();
+    app->add_option("-o,--out", a->output, "NAME of a dance to install it as, or a folder");
 }
 
 void add_train_report(CommandTable& table) {

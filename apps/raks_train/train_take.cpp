@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/raks_train/destination.hpp"
+#include "apps/raks_train/take_proposal.hpp"
 #include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/dance_list.hpp"
@@ -49,6 +50,13 @@ DanceInfo info_of(const motion::CellDance& dance) {
 }  // namespace
 
 ExitCode train_take(const TrainTakeArguments& arguments) {
+    if (!arguments.propose.empty()) {
+        return propose_take(arguments);
+    }
+    if (arguments.counts.empty() || arguments.output.empty()) {
+        complain("give --counts T.tsv and -o NAME, or --propose X.tsv for beats to begin with");
+        return kExitUsage;
+    }
     const auto destination = destination_of(arguments.output, "");
     if (!destination) {
         return fail(destination.error());

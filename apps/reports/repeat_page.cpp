@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/reports/body_lines.hpp"
 #include "apps/reports/chart.hpp"
 #include "apps/reports/web_page.hpp"
 #include "motion/figures/foot_events.hpp"
@@ -23,38 +24,6 @@ constexpr double kLeft = 46.0;           // their left margin
 constexpr double kRight = 8.0;           // and the right one
 constexpr double kFastest = 3.0;         // m/s, the top of the charts of the feet
 constexpr double kLowPass = 8.0;         // Hz, of the feet's speed
-constexpr double kBodyPixels = 84.0;     // height of a strip's bodies
-constexpr double kBodyMetres = 2.2;      // with raised arms
-
-constexpr std::string_view kLeftColour = "#2563eb";
-constexpr std::string_view kRightColour = "#ea580c";
-constexpr std::string_view kTrunkColour = "#334155";
-
-/// A bone that is drawn from its parent's joint, and its colour.
-struct Stroke {
-    motion::Bone from;
-    motion::Bone to;
-    std::string_view colour;
-};
-using motion::Bone;
-constexpr std::array<Stroke, 14> kStrokes = {
-    {{Bone::hips, Bone::neck, kTrunkColour},
-     {Bone::neck, Bone::head, kTrunkColour},
-     {Bone::hips, Bone::right_upper_leg, kRightColour},
-     {Bone::right_upper_leg, Bone::right_lower_leg, kRightColour},
-     {Bone::right_lower_leg, Bone::right_foot, kRightColour},
-     {Bone::right_foot, Bone::right_toes, kRightColour},
-     {Bone::neck, Bone::right_upper_arm, kRightColour},
-     {Bone::right_upper_arm, Bone::right_lower_arm, kRightColour},
-     {Bone::hips, Bone::left_upper_leg, kLeftColour},
-     {Bone::left_upper_leg, Bone::left_lower_leg, kLeftColour},
-     {Bone::left_lower_leg, Bone::left_foot, kLeftColour},
-     {Bone::left_foot, Bone::left_toes, kLeftColour},
-     {Bone::neck, Bone::left_upper_arm, kLeftColour},
-     {Bone::left_upper_arm, Bone::left_lower_arm, kLeftColour}}};
-constexpr std::array<Stroke, 2> kForearms = {
-    {{Bone::right_lower_arm, Bone::right_hand, kRightColour},
-     {Bone::left_lower_arm, Bone::left_hand, kLeftColour}}};
 
 /// Both feet's speed, by side and frame, m/s.
 using FeetSpeeds = std::array<std::vector<double>, 2>;
@@ -127,37 +96,6 @@ std::string timeline(const motion::DiscoveredClip& clip, const FeetSpeeds& speed
     return chart.svg();
 }
 
-/// One body as lines about (x, ground), seen from the front of `heading`.
-std::string body_at(const motion::Pose& pose, double heading, double x, double ground) {
-    const motion::WorldPose world = world_pose(motion::mannequin_skeleton(), pose);
-    const double scale = kBodyPixels / kBodyMetres;
-    const auto place = [&](Bone bone) {
-        const glm::vec3 d = world.position(bone) - pose.hips_position;
-        const double across = std::cos(heading) * static_cast<double>(d.x) -
-                              std::sin(heading) * static_cast<double>(d.z);
-        return std::pair{x + scale * across,
-                         ground - scale * static_cast<double>(world.position(bone).y)};
-    };
-    std::string lines;
-    const auto draw = [&](const Stroke& stroke) {
-        const auto [x1, y1] = place(stroke.from);
-        const auto [x2, y2] = place(stroke.to);
-        lines += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>",
-                             x1,
-                             y1,
-                             x2,
-                             y2,
-                             stroke.colour);
-    };
-    std::for_each(kStrokes.begin(), kStrokes.end(), draw);
-    std::for_each(kForearms.begin(), kForearms.end(), draw);
-    const auto [hx, hy] = place(Bone::head);
-    return lines + fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n",
-                               hx,
-                               hy - 3.0,
-                               kTrunkColour);
-}
-
 /// A repeat's bodies, on every beat, or on every half beat where there is room.
 std::string bodies(const motion::TrainingClip& clip, const motion::FoundRepeat& repeat, int beats) {
     const int parts = beats <= 12 ? 2 * beats : std::min(beats, 24);
@@ -174,7 +112,7 @@ std::string bodies(const motion::TrainingClip& clip, const motion::FoundRepeat& 
             motion::pose_between(clip.poses, repeat.start + share * (repeat.end - repeat.start));
         const double x = kLeft + share * (kWidth - kLeft - kRight);
         // The ends stay within the picture.
-        drawn += body_at(pose, heading, std::clamp(x, kLeft, kWidth - 24.0), kBodyPixels);
+        drawn += body_lines(pose, heading, std::clamp(x, kLeft, kWidth - 24.0), kBodyPixels);
     }
     return drawn + "</g></svg>\n";
 }

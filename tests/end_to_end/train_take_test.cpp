@@ -99,6 +99,63 @@ TEST_F(TrainTake, its_cells_are_drawn_and_reported) {
                     "take \"mine_1\" is unknown; did you mean \"mine_0\"?");
 }
 
+TEST_F(TrainTake, a_grid_is_proposed_that_can_be_learnt) {
+    const ProcessResult proposed =
+        run({"train", "take", path("mine.bvh"), "--propose", path("beats.tsv")});
+    ASSERT_EQ(proposed.exit_code, 0) << proposed.err;
+    EXPECT_NE(proposed.out.find("mine: "), std::string::npos) << proposed.out;
+    EXPECT_NE(proposed.err.find("motion alone is right in about half of the cases"),
+              std::string::npos)
+        << proposed.err;
+    EXPECT_TRUE(fs::exists(path("beats.html")));
+    const ProcessResult drawn =
+        run({"stick", path("mine.bvh"), "--counts", path("beats.tsv"), "--strips", path("strips")});
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_TRUE(fs::exists(path("strips/mine.png")) || fs::exists(path("strips/mine_1.png")));
+    EXPECT_EQ(train().exit_code, 0);
+}
+
+TEST_F(TrainTake, a_grid_of_the_song_lies_on_its_beats) {
+    write_clicks("song.wav", 20.0);
+    const ProcessResult proposed = run({"train",
+                                        "take",
+                                        path("mine.bvh"),
+                                        "--music",
+                                        path("song.wav"),
+                                        "--offset",
+                                        "0.25",
+                                        "--propose",
+                                        path("beats.tsv")});
+    ASSERT_EQ(proposed.exit_code, 0) << proposed.err;
+    EXPECT_NE(read_file(folder_ / "beats.html").value_or("").find("begins at 0.25 s"),
+              std::string::npos);
+    const ProcessResult found = run({"train",
+                                     "take",
+                                     path("mine.bvh"),
+                                     "--music",
+                                     path("song.wav"),
+                                     "--propose",
+                                     path("beats.tsv")});
+    ASSERT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_NE(found.err.find("by landings the clip begins"), std::string::npos) << found.err;
+}
+
+TEST_F(TrainTake, what_is_missing_to_learn_or_propose_is_said_in_one_line) {
+    expect_one_line({"train", "take", path("mine.bvh")}, 2, "--propose X.tsv");
+    expect_one_line(
+        {"train", "take", path("mine.bvh"), "--propose", path("beats.html")}, 2, "call it X.tsv");
+    expect_one_line({"train", "take", path("none.bvh"), "--propose", path("b.tsv")}, 1, "none.bvh");
+    expect_one_line({"train",
+                     "take",
+                     path("mine.bvh"),
+                     "--counts",
+                     path("beats.tsv"),
+                     "--propose",
+                     path("b.tsv")},
+                    2,
+                    "--counts");
+}
+
 TEST_F(TrainTake, tables_that_make_no_dance_are_refused_in_one_line) {
     write_table(0);
     const ProcessResult unused = train();

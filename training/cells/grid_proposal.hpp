@@ -8,8 +8,8 @@
 #include "training/cells/take_grid.hpp"
 
 /// Grid proposal: a grid of beats from the motion of a take alone, to be set right by a person. Of
-/// stretches whose repeats are known it is right in about half (docs/measurements.md has the
-/// numbers): errors are most often 3:4 and 2:3.
+/// 17 stretches whose repeats are known it is right within 4 % in 9, by chance it would be in 2:
+/// errors are most often 3:4 and 2:3.
 namespace raks::motion {
 
 /// Motion that comes back after a while.
@@ -31,12 +31,12 @@ struct GridProposal {
     [[nodiscard]] double tempo() const;
 };
 
-/// Proposes a grid: a tempo that may drift from the periods of the cues and from how alike moments
-/// four and eight beats apart are (Viterbi over 8 s windows), then the beats that meet most of the
-/// cues at that tempo (Ellis 2007), halves by which every other beat has more of them. Beats lie
-/// 0.36 to 0.75 s apart on the whole: 80 to 166 BPM; what is faster is counted at half its tempo.
-/// A clip under two seconds, or without motion, has no beats. Deterministic. Threads: workers.
-/// Real-time: no.
+/// Proposes a grid: a tempo that may drift, from the periods of the cues in windows of 8 s and from
+/// how alike four or eight beats are to those before them (Viterbi), then the beats that meet most
+/// of the cues at that tempo (Ellis 2007), halves by which every other beat has more of them. Beats
+/// lie 0.36 to 0.75 s apart on the whole: 80 to 166 BPM; what is faster is counted at half its
+/// tempo. A clip under two seconds, or without motion, has no beats. Deterministic. Threads:
+/// workers. Real-time: no.
 [[nodiscard]] GridProposal propose_grid(const std::string& take, const GridCues& cues);
 
 }  // namespace raks::motion

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "base/random.hpp"
 
 namespace raks::motion {
@@ -95,6 +99,36 @@ TEST(LabelTables, read_counts_and_refuse_those_that_do_not_rise) {
     ASSERT_FALSE(falling);
     EXPECT_EQ(falling.error().message,
               "c.tsv: line 3: frame is 26.5, must be after the count before (30)");
+}
+
+TEST(LabelTables, read_beats_of_takes_and_refuse_bad_ones_in_one_line) {
+    const std::string header = "take\ttime\thalf\tused\n";
+    const auto beats = parse_take_beats(header + "a\t0.5\t1\t1\na\t1\t2\t0\nb\t0.2\t2\t1\n", "x");
+    ASSERT_TRUE(beats) << beats.error().message;
+    ASSERT_EQ(beats->size(), 3U);
+    EXPECT_EQ((*beats)[1].take, "a");
+    EXPECT_EQ((*beats)[1].half, 2);
+    EXPECT_FALSE((*beats)[1].is_used);
+    EXPECT_EQ((*beats)[2].line, 4U);
+    const std::vector<std::pair<std::string, std::string>> bad = {
+        {"", "x: is empty, must start with a line of column names"},
+        {header, "x: holds no beats, must have a row for each"},
+        {"take\ttime\thalf\n", "x: has no column \"used\" (tab-separated)"},
+        {header + "a\t1\t1\t1\na\t1\t2\t1\n",
+         "x: line 3: time is 1, must be after the beat before (1)"},
+        {header + "a\t2\t1\t1\na\t1\t2\t1\n",
+         "x: line 3: time is 1, must be after the beat before (2)"},
+        {header + "a\t-1\t1\t1\n", "x: line 2: time is -1, must lie in [0, 86400]"},
+        {header + "a\tnan\t1\t1\n", "x: line 2: time is nan, must lie in [0, 86400]"},
+        {header + "a\t1\t3\t1\n", "x: line 2: half is 3, must lie in [1, 2]"},
+        {header + "a\t1\t1\tyes\n", "x: line 2: used is \"yes\", must be a number"},
+        {header + "a\t1\t1\n", "x: line 2: has no used"},
+        {header + "\t1\t1\t1\n", "x: line 2: take is empty, must be the clip's name"}};
+    for (const auto& [text, line] : bad) {
+        const auto refused = parse_take_beats(text, "x");
+        ASSERT_FALSE(refused) << text;
+        EXPECT_EQ(refused.error().message, line);
+    }
 }
 
 TEST(LabelTables, read_capture_faults) {
