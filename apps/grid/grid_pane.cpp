@@ -162,8 +162,8 @@ std::string status_of(const GridDrawing& drawing) {
                                    session.seconds,
                                    tempo_at(drawing.beats, drawing.view.now));
     if (!session.taps.empty()) {
-        text += fmt::format("  {} taps so far; they become beats at the next pause.",
-                            session.taps.size());
+        text +=
+            fmt::format("  {} tapped; they become beats at the next pause.", session.taps.size());
     }
     if (session.chosen && *session.chosen < drawing.beats.size()) {
         const motion::GridBeat& beat = drawing.beats[*session.chosen];

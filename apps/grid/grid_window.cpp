@@ -61,9 +61,10 @@ class GridContent : public render::PaneContent {
         view_.frame = 1.0 / take_.take.clip.frames_per_second;
         view_.to = std::min(kFirstRange, session_.seconds);
         if (take_.is_new) {
-            view_.message =
-                "A proposal from motion alone: right in about half of the cases. Tap along, or set "
-                "it right";
+            view_.message = take_.song ? "The song's beats, as its analysis heard them; is it laid "
+                                         "right over the take? - and = move it, M takes its beats"
+                                       : "A proposal from motion alone: right in about half of the "
+                                         "cases. Tap along, or set it right";
         }
         scene_.view = render::View::stick;
         if (take_.song) {
@@ -74,24 +75,15 @@ class GridContent : public render::PaneContent {
     GridContent& operator=(const GridContent&) = delete;  // likewise
 
     void draw(const render::PaneFrame& frame) override {
+        // Before keys are taken up: a tap is meant for the moment that is now.
+        advance();
         draw_bodies(frame);
         for (const GridWish& wish : grid_pane(frame, session_, view_)) {
             std::visit([this](const auto& one) { fulfil(one); }, wish);
         }
     }
     bool is_moving() override {
-        const HostTime now = HostClock::now();
-        const double passed = to_seconds(now - std::exchange(advanced_, now));
-        const double step = sound_step();
-        if (view_.is_playing) {
-            constexpr double kLongest = 1.0;  // s; whoever taps along needs the clock's pace
-            view_.now += std::min(passed, kLongest) * view_.rate + step;
-            view_.now = std::clamp(view_.now, 0.0, session_.seconds);
-            if (view_.now >= session_.seconds) {
-                fulfil(PlayOrRest{});
-            }
-            follow_now();
-        }
+        advance();
         return view_.is_playing;
     }
     bool may_close() override {
@@ -117,6 +109,23 @@ class GridContent : public render::PaneContent {
         } else {
             view_.message = "No sound: " + sound.error().message;
         }
+    }
+
+    // Plays on by the clock, and to where the song is heard.
+    void advance() {
+        constexpr double kLongest = 1.0;  // seconds; longer the window was covered or stopped
+        const HostTime now = HostClock::now();
+        const double passed = to_seconds(now - std::exchange(advanced_, now));
+        const double step = sound_step();
+        if (!view_.is_playing) {
+            return;
+        }
+        view_.now += std::min(passed, kLongest) * view_.rate + step;
+        view_.now = std::clamp(view_.now, 0.0, session_.seconds);
+        if (view_.now >= session_.seconds) {
+            fulfil(PlayOrRest{});
+        }
+        follow_now();
     }
 
     // Seconds by which the clip goes where the song is heard.
@@ -175,7 +184,7 @@ class GridContent : public render::PaneContent {
         if (!target) {
             return nullptr;
         }
-        draw_body(time, 3.7F, target->frame());
+        draw_body(time, 4.7F, target->frame());
         const auto pixels =
             static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
         std::vector<std::uint8_t> rgba(4U * pixels);

@@ -54,8 +54,10 @@ Expected<void> write_strips(const ReadTake& take,
             !written) {
             return written;
         }
-        print_text(
-            fmt::format("{}: {} rows of beats\n", printable(path.string()), page.rows.size()));
+        print_text(fmt::format("{}: beats {} to {}\n",
+                               printable(path.string()),
+                               page.rows.front().front().beat + 1,
+                               page.rows.back().back().beat + 1));
     }
     return {};
 }

@@ -7,8 +7,8 @@
 namespace raks::motion {
 namespace {
 
-// What the beats of the music meet of the cues, on the mean, at an offset; none where fewer than
-// half of those that the clip has room for lie in it.
+// What the beats of the music meet of the cues at an offset: the more of them lie over the clip,
+// the more. None where hardly any does.
 double met_at(const GridCues& cues, const DancedMusic& music, double offset) {
     constexpr double kFewest = 4.0;
     double sum = 0.0;
@@ -21,8 +21,7 @@ double met_at(const GridCues& cues, const DancedMusic& music, double offset) {
         sum += cues.impulse[cues.row_at(beat->seconds - offset)];
         count += 1.0;
     }
-    // Where only some of the clip has music, what is met there counts as much as it is.
-    return count < kFewest ? -HUGE_VAL : sum / std::sqrt(count);
+    return count < kFewest ? -HUGE_VAL : sum;
 }
 
 }  // namespace
