@@ -266,6 +266,7 @@ GridProposal propose_grid(const std::string& take, const GridCues& cues) {
     for (const ActiveRows& rows : stretches) {
         proposal.idle_seconds -= static_cast<double>(rows.last - rows.first) / kCueRate;
     }
+    proposal.idle_seconds = std::max(proposal.idle_seconds, 0.0);
     const TakeLikeness likeness(cues, 8.0 * 60.0 / kSlowest);
     proposal.tempi = tempo_path(tempogram(cues, likeness));
     const std::vector<std::size_t> rows = beats_along(cues.impulse, proposal.tempi);
