@@ -19,7 +19,7 @@ constexpr double kSlowest = 80.0;
 constexpr double kFastest = 166.0;
 
 // From a prototype; likeness, kTempoChange and kUneven were tried on the 17 stretches of twelve
-// takes whose repeats are known: these give 9, those beside them 8 and 9.
+// takes whose repeats are known: these give 8, those beside them 7 to 9.
 constexpr double kWindow = 8.0;          // seconds
 constexpr double kSecondHarmonic = 0.6;  // its weight beside the first
 constexpr double kLikenessWeight = 4.0;  // beside that of the periods, which is 1 on average

@@ -8,7 +8,7 @@
 #include "training/cells/take_grid.hpp"
 
 /// Grid proposal: a grid of beats from the motion of a take alone, to be set right by a person. Of
-/// 17 stretches whose repeats are known it is right within 4 % in 9, by chance it would be in 2:
+/// 17 stretches whose repeats are known it is right within 4 % in 8, by chance it would be in 2:
 /// errors are most often 3:4 and 2:3.
 namespace raks::motion {
 
