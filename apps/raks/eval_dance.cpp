@@ -172,8 +172,7 @@ Expected<std::vector<FollowedFile>> followed_files(const std::vector<Path>& file
             if (stop_signal()) {
                 return std::vector<FollowedFile>();  // half a table would mislead
             }
-            auto following =
-                engine::loudness_following(music->samples, music->rate, cast, knowledge);
+            auto following = engine::music_following(music->samples, music->rate, cast, knowledge);
             if (!following) {
                 return fail(std::move(following.error()).in(file.string()));
             }
@@ -272,7 +271,9 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     if (!cast) {
         return fail(cast.error());
     }
-    cast->landings = engine::judged_landings(*setup->catalogue.find(report.dance.name));
+    const engine::CatalogueEntry& entry = *setup->catalogue.find(report.dance.name);
+    cast->landings = engine::judged_landings(entry);
+    report.is_of_cells = engine::is_of_cells(entry);
     // Clips before trials: a fault in them should not cost the minute that the trials take.
     auto people = people_of(arguments, report.role, *figures);
     if (!people) {

@@ -131,7 +131,7 @@ Json bounds_of(TrialKind kind, const JerkStandard& jerk) {
 }  // namespace
 
 std::string to_json(const DanceReport& report) {
-    const JerkStandard jerk = jerk_standard(report.dance, report.role);
+    const JerkStandard jerk = jerk_standard(report);
     Json document = {{"format", "raks-eval-dance"},
                      {"version", 1},
                      {"dance", report.dance.name},

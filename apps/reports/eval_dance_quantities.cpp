@@ -232,6 +232,15 @@ JerkStandard jerk_standard(const DanceInfo& dance, DanceRole role) noexcept {
         .rms = Bound{0.8 * rms, 1.25 * rms}, .p999 = {}, .highest = Bound{.highest = 3.0 * p999}};
 }
 
+JerkStandard jerk_standard(const DanceReport& report) noexcept {
+    JerkStandard standard = jerk_standard(report.dance, report.role);
+    const double rms = report.dance.people_jerk_rms[static_cast<std::size_t>(report.role)];
+    if (report.is_of_cells && rms > 0.0) {
+        standard.rms = Bound{.highest = 1.1 * rms};
+    }
+    return standard;
+}
+
 std::span<const DanceQuantity> dance_quantities() noexcept { return kQuantities; }
 
 }  // namespace raks::apps

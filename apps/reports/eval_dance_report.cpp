@@ -249,7 +249,7 @@ std::string couple_table(const DanceReport& report) {
 // One line: how many of the bounded values lie within their bounds. A missing value counts as
 // outside.
 std::string verdict(const DanceReport& report) {
-    const JerkStandard jerk = jerk_standard(report.dance, report.role);
+    const JerkStandard jerk = jerk_standard(report);
     std::size_t bounded = 0;
     std::size_t outside = 0;
     for (const MeasuredDance& trial : report.trials) {
@@ -368,7 +368,7 @@ std::string to_text(const DanceReport& report) {
     }
     // Without trials and people the tables would be empty: only the dynamics were asked for.
     for (const TopicTitle& topic : kTopics) {
-        text += rows.empty() ? "" : table_of(rows, jerk_standard(report.dance, report.role), topic);
+        text += rows.empty() ? "" : table_of(rows, jerk_standard(report), topic);
     }
     if (people) {
         text += paces_table(report);

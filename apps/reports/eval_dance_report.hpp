@@ -39,11 +39,16 @@ struct DanceReport {
     motion::DanceRole role = motion::DanceRole::lead;  ///< that was measured
     std::string generator = "trajectories";            ///< its name, as in the settings
     std::int64_t seed = 1;                             ///< of the dancers
+    bool is_of_cells = false;                          ///< it was learnt from whole takes
     std::vector<MeasuredDance> trials;  ///< one a trial, in the order of standard_trials()
     std::vector<MeasuredDance> people;  ///< by take, empty without clips
     std::vector<engine::DancedWrittenFigure> written;  ///< each by itself; empty: captured
     std::optional<DynamicsReport> dynamics;            ///< none: they were not measured
 };
+
+/// The bounds for the dance of a report: of one of cells, whose takes are danced nearly as they
+/// were, the root mean square is at most 1.1 times theirs. Threads: any.
+[[nodiscard]] JerkStandard jerk_standard(const DanceReport& report) noexcept;
 
 /// Captured takes as rows of the report. What only a dancer has (pace, re-anchors) stays empty.
 [[nodiscard]] std::vector<MeasuredDance> as_rows(std::span<const motion::CapturedDance> takes);

@@ -204,6 +204,27 @@ FollowedMeans means_of(std::span<const FollowedFile> files) {
     return means;
 }
 
+// Share of the bars of parts that come again that are danced as at their first time; nothing where
+// no part does. Of several files all bars count alike.
+std::optional<double> alike_share(const motion::PartRepeats& repeats) {
+    return repeats.bars > 0 ? std::optional(static_cast<double>(repeats.alike) /
+                                            static_cast<double>(repeats.bars))
+                            : std::nullopt;
+}
+motion::PartRepeats all_repeats(std::span<const FollowedFile> files) {
+    motion::PartRepeats all;
+    for (const FollowedFile& file : files) {
+        all.bars += file.known.repeats.bars;
+        all.alike += file.known.repeats.alike;
+    }
+    return all;
+}
+
+std::string share_cell(const motion::PartRepeats& repeats) {
+    const auto share = alike_share(repeats);
+    return share ? fmt::format("{:.0f}", 100.0 * *share) : "-";
+}
+
 std::string correlation_cell(double value) { return fmt::format("{:+.2f}", value); }
 
 }  // namespace
@@ -259,19 +280,35 @@ Json to_json(const DynamicsReport& report) {
 std::string to_text(std::span<const FollowedFile> files) {
     const FollowedMeans means = means_of(files);
     std::vector<Row> rows = {
-        {"file", "loudness spread dB", "known", "live"},
+        {"file",
+         "loudness spread dB",
+         "known",
+         "live",
+         "bars that come again",
+         "as at first %",
+         "apart cm"},
         {"to reach, mean", "", bound_cell(kFollowsKnown, 2), bound_cell(kFollowsLive, 2)}};
+    rows.back().resize(rows.front().size());
     for (const FollowedFile& file : files) {
         rows.push_back({file.name,
                         fmt::format("{:.1f}", file.known.spread_db),
                         correlation_cell(file.known.correlation),
-                        correlation_cell(file.live.correlation)});
+                        correlation_cell(file.live.correlation),
+                        fmt::format("{}", file.known.repeats.bars),
+                        share_cell(file.known.repeats),
+                        fmt::format("{:.1f}", 1e2 * file.known.repeats.apart)});
     }
+    const motion::PartRepeats repeats = all_repeats(files);
     rows.push_back({"mean",
                     "",
                     correlation_cell(means.known) + (kFollowsKnown.holds(means.known) ? "" : "!"),
-                    correlation_cell(means.live) + (kFollowsLive.holds(means.live) ? "" : "!")});
-    return "Loudness against motion (correlation, averaged over a second, from 6 s on)\n\n" +
+                    correlation_cell(means.live) + (kFollowsLive.holds(means.live) ? "" : "!"),
+                    fmt::format("{}", repeats.bars),
+                    share_cell(repeats),
+                    ""});
+    return "Loudness against motion (correlation, averaged over a second, from 6 s on); of a known "
+           "song's\nbars that repeat an earlier one, from 8 s on, the share that is danced within "
+           "10 cm of it\n\n" +
            text_table(rows) + "\n";
 }
 
@@ -283,7 +320,10 @@ std::string to_json(std::span<const FollowedFile> files) {
         list.push_back({{"file", file.name},
                         {"loudness_spread_db", file.known.spread_db},
                         {"known", file.known.correlation},
-                        {"live", file.live.correlation}});
+                        {"live", file.live.correlation},
+                        {"repeated_bars", file.known.repeats.bars},
+                        {"repeated_bars_alike", file.known.repeats.alike},
+                        {"repeated_bars_apart_m", file.known.repeats.apart}});
     }
     document["mean"] = {{"known", means.known}, {"live", means.live}};
     document["bounds"] = {{"known", kFollowsKnown.lowest}, {"live", kFollowsLive.lowest}};

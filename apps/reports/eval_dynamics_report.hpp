@@ -45,11 +45,11 @@ struct Verdict {
 /// `bounds`, and by `known` and `live`: `values` and `outside`.
 [[nodiscard]] Json to_json(const DynamicsReport& report);
 
-/// How the dances to one file follow its loudness.
+/// How the dances to one file follow it.
 struct FollowedFile {
-    std::string name;                 ///< of the file
-    engine::LoudnessFollowing known;  ///< as a file
-    engine::LoudnessFollowing live;   ///< as an input
+    std::string name;              ///< of the file
+    engine::MusicFollowing known;  ///< as a file
+    engine::MusicFollowing live;   ///< as an input
 };
 /// A table in Markdown with the mean of all; `files`: at least one.
 [[nodiscard]] std::string to_text(std::span<const FollowedFile> files);

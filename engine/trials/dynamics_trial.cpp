@@ -36,10 +36,33 @@ class RecordMusic final : public OfflineDriver::Sink {
                 now - (hop.dancer.rate > 0.0 ? hop.dancer.phase / hop.dancer.rate : 0.0);
         }
         danced.hops.push_back(hop.dancer);
+        if (hop.music.ahead.bar >= static_cast<int>(bars_.size())) {
+            bars_.push_back({now, hop.music.ahead.repeats[0]});
+        }
+    }
+
+    // What bars of parts that come again are to be compared with.
+    [[nodiscard]] std::vector<motion::RepeatedBar> repeats() const {
+        std::vector<motion::RepeatedBar> repeats;
+        for (std::size_t bar = 0; bar + 1 < bars_.size(); ++bar) {
+            const auto first = static_cast<std::size_t>(std::max(0, bars_[bar].repeats));
+            if (bars_[bar].repeats >= 0 && bars_[first].begins >= kLeftOut) {
+                repeats.push_back({{bars_[bar].begins, bars_[bar + 1].begins},
+                                   {bars_[first].begins, bars_[first + 1].begins}});
+            }
+        }
+        return repeats;
     }
 
     DancedMusic danced;
     CollectPoses poses{kTrialPosesPerSecond};
+
+ private:
+    struct HeardBar {
+        double begins = 0.0;  // seconds
+        int repeats = -1;
+    };
+    std::vector<HeardBar> bars_;  // by Foresight::bar
 };
 
 Expected<OfflineDriver> driver_for(std::span<const float> mono,
@@ -169,6 +192,7 @@ Expected<DancedMusic> dance_to(std::span<const float> mono,
     driver->feed(mono, record);
     driver->finish(record);
     record.danced.poses = std::move(record.poses.dancers[cast.measured]);
+    record.danced.repeats = record.repeats();
     return std::move(record.danced);
 }
 
@@ -263,10 +287,10 @@ Expected<std::vector<double>> loudness_by_frame(std::span<const float> mono, Sam
     return loudness;
 }
 
-Expected<LoudnessFollowing> loudness_following(std::span<const float> mono,
-                                               SampleRate rate,
-                                               const TrialCast& cast,
-                                               Knowledge knowledge) {
+Expected<MusicFollowing> music_following(std::span<const float> mono,
+                                         SampleRate rate,
+                                         const TrialCast& cast,
+                                         Knowledge knowledge) {
     const auto dance = dance_to(mono, rate, cast, knowledge);
     if (!dance) {
         return fail(dance.error());
@@ -280,9 +304,11 @@ Expected<LoudnessFollowing> loudness_following(std::span<const float> mono,
     std::vector<double> rest(
         average.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(360, average.size())),
         average.end());
-    return LoudnessFollowing{
-        motion::loudness_correlation(speeds_of(*dance, cast.skeleton()), *loudness),
-        percentile(rest, 0.95) - percentile(rest, 0.05)};
+    const motion::DynamicsTrack track =
+        motion::dynamics_track(cast.skeleton(), dance->poses, kTrialPosesPerSecond);
+    return MusicFollowing{motion::loudness_correlation(motion::body_speeds(track), *loudness),
+                          percentile(rest, 0.95) - percentile(rest, 0.05),
+                          motion::measure_repeats(track, dance->repeats)};
 }
 
 }  // namespace raks::engine

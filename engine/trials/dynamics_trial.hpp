@@ -29,6 +29,8 @@ struct DancedMusic {
     std::optional<double> danceable_from;    ///< seconds: the beat grid can be danced to
     std::optional<double> first_count;       ///< seconds: count 1 of the first figure
     std::optional<double> first_danced;      ///< seconds: the dancer begins
+    /// Of a song that is known, from 8 s on: bars of parts that come again (Foresight::repeats).
+    std::vector<motion::RepeatedBar> repeats;
 };
 /// Dances to mono samples. Errors: those of the analyzer and of the dancers. Threads: workers.
 [[nodiscard]] Expected<DancedMusic> dance_to(std::span<const float> mono,
@@ -79,15 +81,16 @@ struct DynamicsResult {
 [[nodiscard]] Expected<std::vector<double>> loudness_by_frame(std::span<const float> mono,
                                                               SampleRate rate);
 
-/// How a dance follows the loudness of music.
-struct LoudnessFollowing {
-    double correlation = 0.0;  ///< motion::loudness_correlation
-    double spread_db = 0.0;    ///< of the loudness averaged as there: 95th less 5th percentile
+/// How a dance follows music: its loudness, and the parts of it that come again.
+struct MusicFollowing {
+    double correlation = 0.0;       ///< motion::loudness_correlation
+    double spread_db = 0.0;         ///< of the loudness averaged as there: 95th less 5th percentile
+    motion::PartRepeats repeats{};  ///< of a song that is known
 };
 /// Dances to mono samples and measures it. Errors: those of dance_to.
-[[nodiscard]] Expected<LoudnessFollowing> loudness_following(std::span<const float> mono,
-                                                             SampleRate rate,
-                                                             const TrialCast& cast,
-                                                             Knowledge knowledge);
+[[nodiscard]] Expected<MusicFollowing> music_following(std::span<const float> mono,
+                                                       SampleRate rate,
+                                                       const TrialCast& cast,
+                                                       Knowledge knowledge);
 
 }  // namespace raks::engine

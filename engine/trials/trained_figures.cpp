@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kFarFromBeat = 0.15;  // beats
 
+}  // namespace
+
 bool is_of_cells(const CatalogueEntry& dance) {
     return is_there(cells_path(dance.folder, dance.info.name));
 }
-
-}  // namespace
 
 std::vector<motion::FigureModel> takes_of(motion::CellDance dance) {
     const int repeats = motion::JudgedLandings().least_repeats;

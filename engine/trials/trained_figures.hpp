@@ -24,6 +24,9 @@ namespace raks::engine {
 /// that is a cell, each foot is to land when it did in the take (Cell::landings). Threads: any.
 [[nodiscard]] std::vector<motion::FigureModel> takes_of(motion::CellDance dance);
 
+/// Whether a dance is one of cells, learnt from whole takes.
+[[nodiscard]] bool is_of_cells(const CatalogueEntry& dance);
+
 /// Which landings a dance is judged by. People place steps of a free dance anywhere: of a dance of
 /// cells those that the take has more than .15 beat from a beat are left out. Threads: any.
 [[nodiscard]] motion::JudgedLandings judged_landings(const CatalogueEntry& dance);

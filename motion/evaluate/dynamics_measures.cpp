@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/statistics.hpp"
 #include "motion/skeleton/body/body_finder.hpp"
@@ -19,6 +20,7 @@ constexpr double kStillHand = 0.15;       // m/s
 constexpr std::size_t kHoldFrames = 12;   // 0.2 s
 constexpr std::size_t kBeatSamples = 16;  // of a bar's shape
 constexpr double kDistinct = 0.10;        // metres
+constexpr std::size_t kBarMoments = 64;   // of a bar that is compared with its first time
 
 // Index in kDynamicsBones.
 constexpr std::size_t place_of(Bone bone) {
@@ -268,7 +270,37 @@ double correlation(std::span<const double> a, std::span<const double> b) {
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
+// Frames of kBarMoments moments of a stretch; none where it does not lie in the track.
+std::vector<std::size_t> moments_of(const DynamicsTrack& track, const DanceStretch& stretch) {
+    std::vector<std::size_t> moments;
+    const double from = (stretch.from - track.begins) * kDynamicsRate;
+    const double to = (stretch.to - track.begins) * kDynamicsRate;
+    if (from >= 0.0 && to > from && to < static_cast<double>(track.frames())) {
+        for (std::size_t i = 0; i < kBarMoments; ++i) {
+            const double share = static_cast<double>(i) / kBarMoments;
+            moments.push_back(static_cast<std::size_t>(from + share * (to - from)));
+        }
+    }
+    return moments;
+}
+
 }  // namespace
+
+PartRepeats measure_repeats(const DynamicsTrack& track, std::span<const RepeatedBar> bars) {
+    PartRepeats repeats;
+    std::vector<double> apart;
+    for (const RepeatedBar& bar : bars) {
+        const std::vector<std::size_t> now = moments_of(track, bar.bar);
+        const std::vector<std::size_t> first = moments_of(track, bar.first);
+        if (!now.empty() && !first.empty()) {
+            apart.push_back(bar_distance(track, now, first));
+            repeats.alike += apart.back() < kDistinct ? 1U : 0U;
+        }
+    }
+    repeats.bars = apart.size();
+    repeats.apart = percentile(std::move(apart), 0.5);
+    return repeats;
+}
 
 DynamicsTrack dynamics_track(const Skeleton& skeleton,
                              std::span<const Pose> poses,

@@ -97,6 +97,23 @@ struct DynamicsMeasures {
 [[nodiscard]] DynamicsMeasures measure_dynamics(const DynamicsTrack& track,
                                                 const BarBeats& beats = {});
 
+/// A bar of a dance to a part of the music that comes again, and the bar of its first time; seconds
+/// from the dance's first frame.
+struct RepeatedBar {
+    DanceStretch bar;    ///< this time
+    DanceStretch first;  ///< the first time
+};
+/// How alike the bars are that are danced to parts that come again.
+struct PartRepeats {
+    std::size_t bars = 0;   ///< that lie in the track as their first times do
+    std::size_t alike = 0;  ///< of these, those within 10 cm of their first time
+    double apart = 0.0;     ///< median distance, metres; 0 without bars
+};
+/// Measures them by the distance of DynamicsMeasures::nearest_bar, over 64 moments of each bar.
+/// Threads: workers.
+[[nodiscard]] PartRepeats measure_repeats(const DynamicsTrack& track,
+                                          std::span<const RepeatedBar> bars);
+
 /// Averaged by a Gaussian of `deviation` samples; the ends are mirrored.
 [[nodiscard]] std::vector<double> gaussian_average(std::span<const double> values,
                                                    double deviation);

@@ -102,6 +102,27 @@ TEST(DancedFigures, change_with_the_name_and_with_a_new_anchor) {
     EXPECT_EQ(found[2].dance_from, 2.0) << "one dance";
 }
 
+// Pieces of one take: beats 2 and 3, then beats 6 and 7.
+TEST(DancedFigures, of_a_dance_of_cells_are_pieces_of_takes_with_their_own_counts) {
+    std::vector<DancerStatus> hops(200);
+    for (std::size_t h = 0; h < 200; ++h) {
+        const bool is_second = h >= 100;
+        // The dancer is 20 ms late: the second piece begins after its beat.
+        const double beats = 2.0 * (static_cast<double>(h % 100) / 100.0 - 0.02);
+        hops.push_back(status_of("basic", beats + (is_second ? 6.0 : 2.0)));
+        hops.back().number = is_second ? 1 : 0;
+    }
+    const auto found = danced_figures(hops, steady_beats(60), models());
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0].count_times[2], 2.0, 1e-6);
+    EXPECT_NEAR(found[1].count_times[6], 3.0, 1e-6);
+    std::vector<std::size_t> counts;
+    for (const motion::AudibleCount& count : audible_counts(found, {.blend_in = 0.0})) {
+        counts.push_back(count.count);
+    }
+    EXPECT_EQ(counts, (std::vector<std::size_t>{2, 3, 6})) << "7 has no time to land";
+}
+
 TEST(DancedFigures, tell_on_which_side_they_are_danced) {
     std::vector<DancerStatus> hops = dancing(600, 0.0);
     for (DancerStatus& status : hops) {

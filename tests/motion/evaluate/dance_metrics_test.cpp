@@ -158,6 +158,24 @@ TEST(LandingErrors, a_step_between_the_beats_belongs_to_its_own_count_however_la
     EXPECT_EQ(report.unexpected, 0U);
 }
 
+TEST(LandingErrors, of_steps_that_were_learnt_far_from_a_beat_are_counted_and_not_judged) {
+    std::vector<AudibleCount> counts;
+    const FigureModel figure = two_steps();  // the right foot comes a quarter of a beat late
+    for (std::size_t k = 0; k < 24; ++k) {
+        counts.push_back({&figure, k % 8, 2.0 + 0.5 * static_cast<double>(k), 0.5, false});
+    }
+    BodyTrack track = standing(1000);
+    for (const double figure_start : {2.0, 6.0, 10.0}) {
+        add_step(track, Side::left, figure_start);
+    }
+    add_step(track, Side::right, 4.0 + 0.125);
+    const LandingReport report = landing_errors(track, counts, {.farthest = 0.15});
+    EXPECT_EQ(report.landings.size(), 3U) << "the left foot's";
+    EXPECT_EQ(report.off_beat, 1U);
+    EXPECT_EQ(report.missing, 0U) << "two that are not judged";
+    EXPECT_EQ(report.unexpected, 0U);
+}
+
 TEST(LandingErrors, expect_nothing_where_a_foot_comes_down_twice_a_count) {
     FigureModel figure = two_steps();
     figure.landings[0][0] = {10, Beats(-0.1), Beats(0.2)};  // of 5 repeats

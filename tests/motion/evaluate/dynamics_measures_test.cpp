@@ -55,6 +55,22 @@ TEST(DynamicsMeasures, of_a_swinging_hand_are_as_arithmetic_says) {
     EXPECT_FALSE(measures.nearest_bar);
 }
 
+TEST(PartRepeats, a_bar_is_alike_where_the_body_lies_within_10_cm_of_the_first_time) {
+    // The hand goes 2 m aside in the third bar of 2 s: 2 m / sqrt(16 joints) is 50 cm.
+    std::vector<double> hand = swing_with_rest(480, 0, 0);
+    for (std::size_t f = 240; f < 360; ++f) {
+        hand[f] += 2.0;
+    }
+    const DynamicsTrack track = swinging(hand);
+    const std::vector<RepeatedBar> bars = {
+        {{2.0, 4.0}, {0.0, 2.0}}, {{4.0, 6.0}, {0.0, 2.0}}, {{6.0, 9.0}, {0.0, 2.0}}};
+    const PartRepeats repeats = measure_repeats(track, bars);
+    EXPECT_EQ(repeats.bars, 2U) << "the last one does not lie in the track";
+    EXPECT_EQ(repeats.alike, 1U);
+    EXPECT_NEAR(repeats.apart, 0.25, 0.01) << "between 0 and 50 cm";
+    EXPECT_EQ(measure_repeats(track, {}).bars, 0U);
+}
+
 TEST(DynamicsMeasures, a_rest_of_half_a_second_is_one_hold) {
     const DynamicsMeasures measures = measure_dynamics(swinging(swing_with_rest(600, 300, 330)));
     EXPECT_NEAR(measures.holds_per_minute, 6.0, 1e-9) << "one in 10 s";
