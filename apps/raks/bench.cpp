@@ -141,10 +141,8 @@ Expected<BenchReport> bench_motion(double seconds) {
     if (!setup) {
         return fail(setup.error());
     }
-    const auto library =
-        engine::load_dance(setup->catalogue,
-                           engine::dance_to_load(settings, *setup->catalogue.list()),
-                           setup->skeleton);
+    const auto library = engine::load_dance(
+        setup->catalogue, engine::dance_to_load(settings, setup->catalogue), setup->skeleton);
     if (!library) {
         return fail(library.error());
     }

@@ -288,8 +288,8 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!setup) {
         return fail(setup.error());
     }
-    const std::string dance = dance_of_figures(
-        setup->catalogue, engine::dance_to_load(settings, *setup->catalogue.list()));
+    const std::string dance =
+        dance_of_figures(setup->catalogue, engine::dance_to_load(settings, setup->catalogue));
     // The figures' models are needed for their learnt landings, the library for dancing.
     engine::DanceForm form;
     form.material = engine::Material::written;

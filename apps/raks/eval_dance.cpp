@@ -248,7 +248,8 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     }
     const DanceList& dances = *setup->catalogue.list();
     DanceReport report;
-    report.dance = *dances.find(dances.id_of(engine::dance_to_load(arguments.settings, dances)));
+    report.dance =
+        *dances.find(dances.id_of(engine::dance_to_load(arguments.settings, setup->catalogue)));
     report.role = arguments.role;
     report.seed = arguments.settings.seed;
     report.generator = arguments.settings.generator;

@@ -181,7 +181,7 @@ ExitCode sheet(const SheetArguments& given) {
         return fail(setup.error());
     }
     const engine::Settings& settings = arguments.settings;
-    const std::string dance = engine::dance_to_load(settings, *setup->catalogue.list());
+    const std::string dance = engine::dance_to_load(settings, setup->catalogue);
     const auto library = engine::load_dance(setup->catalogue,
                                             dance,
                                             setup->skeleton,

@@ -12,6 +12,7 @@
 #include "apps/raks/stick_pair.hpp"
 #include "apps/raks/stick_points.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/printable.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/text_lines.hpp"
 #include "render/scene/point_body.hpp"
@@ -146,6 +147,10 @@ ExitCode stick(const StickArguments& arguments) {
     // A written dance has a window and sheets of its own.
     if (motion::lower(arguments.input.extension().string()) == ".toml") {
         return stick_dance(arguments);
+    }
+    if (motion::lower(arguments.input.extension().string()) == ".cells") {
+        return fail(printable(arguments.input.string()) +
+                    ": is a dance of takes; raks sheet --dance FOLDER draws it");
     }
     if (auto checked = check_output(arguments); !checked) {
         return fail(std::move(checked.error()));

@@ -69,26 +69,45 @@ Expected<void> check_dances(const Settings& settings, const DanceCatalogue& cata
     return reason == notes.end() ? checked : fail(*reason + " (" + checked.error().message + ")");
 }
 
-std::string dance_to_load(const Settings& settings, const DanceList& dances) {
+namespace {
+
+// Whether a dance is one for a couple where one is asked for, and has figures for the paper's
+// generator.
+bool is_for(const CatalogueEntry& entry, const DanceForm& form) {
+    return (form.company == Company::alone || entry.info.roles == 2) &&
+           (form.generator == motion::Generator::trajectories || entry.has_figures);
+}
+
+}  // namespace
+
+std::string dance_to_load(const Settings& settings, const DanceCatalogue& catalogue) {
     if (settings.dance != kAuto) {
         return settings.dance;
     }
-    const DanceInfo* const fallback = dances.find(dances.id_of(settings.fallback_dance));
-    const bool is_couple = form_of(settings).company == Company::couple;
-    return fallback != nullptr && (!is_couple || fallback->roles == 2) ? settings.fallback_dance
-                                                                       : dances.all().front().name;
+    const DanceForm form = form_of(settings);
+    const CatalogueEntry* const fallback = catalogue.find(settings.fallback_dance);
+    if (fallback != nullptr && is_for(*fallback, form)) {
+        return fallback->info.name;
+    }
+    const auto& all = catalogue.entries();
+    const auto first = std::find_if(
+        all.begin(), all.end(), [&](const CatalogueEntry& entry) { return is_for(entry, form); });
+    return first != all.end()    ? first->info.name
+           : fallback != nullptr ? fallback->info.name
+                                 : all.front().info.name;
 }
 
-std::vector<std::string> other_dances_to_load(const Settings& settings, const DanceList& dances) {
+std::vector<std::string> other_dances_to_load(const Settings& settings,
+                                              const DanceCatalogue& catalogue) {
     std::vector<std::string> others;
     if (settings.dance != kAuto) {
         return others;
     }
-    const bool is_couple = form_of(settings).company == Company::couple;
-    const std::string first = dance_to_load(settings, dances);
-    for (const DanceInfo& dance : dances.all()) {
-        if (dance.name != first && (!is_couple || dance.roles == 2)) {
-            others.push_back(dance.name);
+    const DanceForm form = form_of(settings);
+    const std::string first = dance_to_load(settings, catalogue);
+    for (const CatalogueEntry& entry : catalogue.entries()) {
+        if (entry.info.name != first && is_for(entry, form)) {
+            others.push_back(entry.info.name);
         }
     }
     return others;
@@ -143,33 +162,48 @@ std::string_view not_of_cells(const DanceForm& form) {
 std::vector<std::string> material_notes(const Settings& settings, const DanceCatalogue& catalogue) {
     const DanceForm form = form_of(settings);
     const std::string_view reason = not_of_cells(form);
-    std::vector<std::string> loaded = other_dances_to_load(settings, *catalogue.list());
-    loaded.insert(loaded.begin(), dance_to_load(settings, *catalogue.list()));
+    std::vector<std::string> loaded = other_dances_to_load(settings, catalogue);
+    loaded.insert(loaded.begin(), dance_to_load(settings, catalogue));
+    std::vector<std::string> left_out;  // by the generator; couples have dances of their own
     std::vector<std::string> without_figures;
     std::vector<std::string> without_takes;  // in this form
-    for (const std::string& name : loaded) {
-        const CatalogueEntry* const entry = catalogue.find(name);
-        if (entry == nullptr || !entry->has_cells) {
+    for (const CatalogueEntry& entry : catalogue.entries()) {
+        const bool is_loaded =
+            std::find(loaded.begin(), loaded.end(), entry.info.name) != loaded.end();
+        if (!entry.has_cells) {
             continue;
         }
-        if (!entry->has_figures) {
-            without_figures.push_back(name);
-        } else if (!reason.empty()) {
-            without_takes.push_back(name);
+        if (is_loaded && entry.has_figures && !reason.empty()) {
+            without_takes.push_back(entry.info.name);
+        } else if (is_loaded && !entry.has_figures) {
+            without_figures.push_back(entry.info.name);
+        } else if (!is_loaded && settings.dance == kAuto &&
+                   form.generator == motion::Generator::frames) {
+            left_out.push_back(entry.info.name);
         }
     }
+    std::vector<std::string> notes;
+    const auto is_or_are = [](const std::vector<std::string>& names) {
+        return names.size() == 1 ? "is" : "are";
+    };
     if (settings.material == "written" && !without_figures.empty()) {
-        return {fmt::format("material: {} {} no figures: takes of people are danced",
-                            listed(without_figures),
-                            without_figures.size() == 1 ? "has" : "have")};
+        notes.push_back(fmt::format("material: {} {} no figures: takes of people are danced",
+                                    listed(without_figures),
+                                    without_figures.size() == 1 ? "has" : "have"));
     }
     if (settings.material != "written" && !without_takes.empty()) {
-        return {fmt::format("material: {} {} danced of figures: takes of people are {}",
-                            listed(without_takes),
-                            without_takes.size() == 1 ? "is" : "are",
-                            reason)};
+        notes.push_back(fmt::format("material: {} {} danced of figures: takes of people are {}",
+                                    listed(without_takes),
+                                    is_or_are(without_takes),
+                                    reason));
     }
-    return {};
+    if (!left_out.empty()) {
+        notes.push_back(fmt::format("material: {} {} left out: takes of people are {}",
+                                    listed(left_out),
+                                    is_or_are(left_out),
+                                    reason));
+    }
+    return notes;
 }
 
 motion::Dynamics dynamics_of(const Settings& settings) {

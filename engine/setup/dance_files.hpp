@@ -28,13 +28,14 @@ namespace raks::engine {
                                           const DanceCatalogue& catalogue);
 
 /// The dance that a show begins with: `settings.dance`; where that is "auto", the fallback; where
-/// that is no dance either, the first of the list.
-[[nodiscard]] std::string dance_to_load(const Settings& settings, const DanceList& dances);
+/// that is no dance, or none in the form that is asked for, the first that is one; where there is
+/// none, the fallback or the first, and loading it says why not.
+[[nodiscard]] std::string dance_to_load(const Settings& settings, const DanceCatalogue& catalogue);
 
-/// The dances that are solved while the show runs: with "auto" all but the first, for couples those
-/// for two; else none.
+/// The dances that are solved while the show runs: with "auto" all but the first that can be danced
+/// in the form that is asked for, by couples and by the generator; else none.
 [[nodiscard]] std::vector<std::string> other_dances_to_load(const Settings& settings,
-                                                            const DanceList& dances);
+                                                            const DanceCatalogue& catalogue);
 
 /// What is danced while no dance is recognised; where the settings name a dance, it is the first
 /// (dance_to_load).
@@ -48,8 +49,8 @@ namespace raks::engine {
 /// the seed says what the first one dances: an odd one people's takes. Pure.
 [[nodiscard]] Material material_of(const Settings& settings, std::size_t dancer) noexcept;
 
-/// What a person is told once: that the dances to load are not of the material that the settings
-/// ask for, and why; a line at most.
+/// What a person is told once: that dances are not of the material that the settings ask for, or
+/// left out as their takes of people cannot be what is asked for, and why; a line each.
 [[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
                                                       const DanceCatalogue& catalogue);
 

@@ -115,7 +115,7 @@ struct DanceLoader {
 
     // Gives each part a repertoire with the dance that a show begins with.
     [[nodiscard]] Expected<void> begin(const Settings& settings) {
-        const std::string dance = dance_to_load(settings, *catalogue.list());
+        const std::string dance = dance_to_load(settings, catalogue);
         auto libraries = solve(dance);
         if (!libraries) {
             return fail(std::move(libraries.error()));
@@ -214,7 +214,7 @@ Expected<Dancers> Dancers::load(const Settings& settings,
                                        dynamics_of(settings),
                                        asked_dancers(settings, formation));
     // From here on the others are solved on their own thread; the future joins it when destroyed.
-    const auto others = other_dances_to_load(settings, *catalogue.list());
+    const auto others = other_dances_to_load(settings, catalogue);
     dancers.others_ =
         std::async(std::launch::async, [loader, others] { return loader.add_all(others); });
     return dancers;

@@ -1,6 +1,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -243,6 +244,34 @@ TEST_F(DancesOfBoth, are_danced_of_both_in_turn) {
     EXPECT_EQ(form_of(settings_).material, Material::people);
     settings_.seed = 2;
     EXPECT_EQ(form_of(settings_).material, Material::written);
+}
+
+TEST_F(CellDances, are_not_begun_with_where_they_cannot_be_what_is_asked_for) {
+    Settings settings;
+    settings.fallback_dance = "mine";
+    const auto catalogue = DanceCatalogue::load(folder_.path());
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    EXPECT_EQ(dance_to_load(settings, *catalogue), "mine");
+    settings.fallback_dance = "first";
+    EXPECT_EQ(dance_to_load(settings, *catalogue), catalogue->entries().front().info.name);
+    EXPECT_TRUE(has(other_dances_to_load(settings, *catalogue), "mine"));
+    settings.fallback_dance = "mine";
+    settings.generator = "frames";
+    EXPECT_NE(dance_to_load(settings, *catalogue), "mine");
+    EXPECT_FALSE(has(other_dances_to_load(settings, *catalogue), "mine"));
+    const std::string line =
+        "material: mine is left out: takes of people are not of --generator frames";
+    EXPECT_EQ(material_notes(settings, *catalogue), std::vector<std::string>{line});
+    settings.generator = "trajectories";
+    settings.formation = "couple";
+    EXPECT_EQ(catalogue->find(dance_to_load(settings, *catalogue))->info.roles, 2);
+    EXPECT_FALSE(has(other_dances_to_load(settings, *catalogue), "mine"));
+    EXPECT_TRUE(material_notes(settings, *catalogue).empty());
+    // Who names it is told why not.
+    settings.dance = "mine";
+    EXPECT_EQ(dance_to_load(settings, *catalogue), "mine");
 }
 
 TEST_F(CellDances, are_danced_of_takes_where_they_have_no_figures) {
