@@ -1,6 +1,7 @@
 #include "apps/raks/cell_sheet.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -76,11 +77,12 @@ class Page {
     void darken(int x, int y, int width, int height) {
         for (int row = y; row < y + height; ++row) {
             std::uint8_t* const pixel = at(x, row);
-            std::transform(pixel, pixel + 4 * width, pixel, [](std::uint8_t value) {
-                return static_cast<std::uint8_t>(value / 3);
-            });
+            std::transform(pixel,
+                           pixel + 4 * static_cast<std::ptrdiff_t>(width),
+                           pixel,
+                           [](std::uint8_t value) { return static_cast<std::uint8_t>(value / 3); });
             for (int column = 0; column < width; ++column) {
-                pixel[4 * column + 3] = 0xFF;
+                pixel[4 * static_cast<std::ptrdiff_t>(column) + 3] = 0xFF;
             }
         }
     }

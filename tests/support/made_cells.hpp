@@ -13,7 +13,8 @@
 namespace raks::motion::test {
 
 /// One take of 8 beats, made of the basic step of salsa as Raks ships it (`models`:
-/// its folder models/trained), and six cells in a ring. `energy`: of all cells.
+/// its folder models/trained), and six cells in a ring, to be written to a file: what is read
+/// from there passes validate(). `energy`: of all cells.
 [[nodiscard]] inline CellDance made_cells(const std::string& models,
                                           const std::string& dance,
                                           float energy = 0.5F) {

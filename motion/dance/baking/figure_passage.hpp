@@ -127,7 +127,7 @@ class FigurePassage {
         std::array<bool, 2> contact{};
         std::array<bool, 2> unused{};  // as above
     };
-    static_assert(sizeof(CompactSample) == 2 * kBones.size() * 4 + 4 * 3 + 4);
+    static_assert(sizeof(CompactSample) == 2 * (kBones.size() * 4) + 16);
     /// Of a beat: the samples around it, and how far it lies from the first to the second.
     struct Place {
         std::size_t before;
