@@ -189,6 +189,7 @@ void Dancer::State::begin(const MusicState& music, bool is_turned) noexcept {
     pace = phase.rate() / content().metre.learnt_tempo.beats_per_second();
     sequence.set_tempo(Bpm(60.0 * phase.rate()));
     sequence.start(content(), stage, part, is_turned);
+    listener.begin();
     delay = sequence.figure().landing_delay;
     if (!was_dancing) {
         phrases.begin(music.grid, music.time);

@@ -13,7 +13,7 @@ namespace {
 // From a prototype on a professional's dances: with these, energy asked and danced correlate by .5
 // to .6, and a fifth of the four-beat windows of three minutes were danced before.
 constexpr double kArcSoftness = 9.0;     // centimetres: weight exp(-(D / this)^2)
-constexpr double kEnergySpread = 0.30;   // of the shares that are drawn
+constexpr double kEnergySpread = 0.40;   // of the shares that are drawn
 constexpr int kLongestRun = 8;           // beats of a take in a row
 constexpr int kShortRun = 3;             // a run is rarely cut before
 constexpr double kGoOnEarly = 8.0;       // weight of the natural successor in a short run
@@ -22,12 +22,15 @@ constexpr double kRepeatWeight = 0.003;  // of what was danced lately
 // Costs of a future.
 constexpr double kStageRadius = 1.3;  // metres from the middle that cost nothing
 constexpr double kStageCost = 2.5;    // a square metre beyond
-constexpr double kTurnedCost = 1.0;   // turned away, of 2
+constexpr double kTurnedCost = 0.6;   // turned away, of 2
 constexpr double kJoinCost = 0.5;
 constexpr double kJoinDistance = 10.0;  // centimetres that cost 1 more
-constexpr double kRepeatCost = 2.5;
-constexpr double kEnergyCost = 4.0;    // of the greatest cell where the calmest is wanted
-constexpr double kNearShare = 0.15;    // a difference of shares that costs nothing: for variety
+constexpr double kRepeatCost = 3.0;     // at once; nothing after kForgotten beats
+constexpr double kForgotten = 4.0 * CellChooser::kNovel;
+constexpr std::int64_t kMirroredLater =
+    4;                                 // times as long ago counts what was danced left for right
+constexpr double kEnergyCost = 3.0;    // of the greatest cell where the calmest is wanted
+constexpr double kNearShare = 0.20;    // a difference of shares that costs nothing: for variety
 constexpr double kRestCost = 7.0;      // a moment of middling speed where a rest is wanted
 constexpr double kGreatestCost = 3.0;  // a cell that is not one of the greatest where one is wanted
 constexpr double kNaturalCost = 2.0;   // the natural successor where another cell is wanted
@@ -102,7 +105,8 @@ CellStep CellChooser::start(const CellGraph& graph, std::uint64_t seed) noexcept
         *this = CellChooser();
         graph_ = &graph;
         seed_ = seed;
-        last_danced_.fill(kNever);
+        last_danced_[0].fill(kNever);
+        last_danced_[1].fill(kNever);
     }
     forget_futures();
     const CounterRandom random(seed, kStream);
@@ -115,7 +119,7 @@ CellStep CellChooser::start(const CellGraph& graph, std::uint64_t seed) noexcept
         const double cost = std::abs(energy_share(graph, cell) - kMiddling) +
                             (graph.has_successor(cell) ? 0.0 : 1.0) +
                             (graph.cells[cell].is_second_half ? 10.0 : 0.0) +
-                            (beat_ - last_danced_[cell] < kNovel ? 1.0 : 0.0);
+                            (beat_ - last_danced_[0][cell] < kNovel ? 1.0 : 0.0);
         if (cost < least) {
             least = cost;
             first = {cell, false, true};
@@ -131,30 +135,35 @@ void CellChooser::forget_futures() noexcept {
 }
 
 void CellChooser::note(const CellStep& step) noexcept {
-    last_danced_[step.cell] = static_cast<std::int32_t>(beat_);
+    last_danced_[step.is_mirrored ? 1 : 0][step.cell] = static_cast<std::int32_t>(beat_);
     run_ = step.is_joined ? 1 : run_ + 1;
     ++beat_;
 }
 
-// Beats since a cell was danced, or one beside it in its take.
+// Beats since a cell was danced, or one beside it in its take. Its mirror image looks different.
 std::int64_t CellChooser::beats_since(const Future& future,
-                                      std::size_t cell,
-                                      const CellGraph& graph,
-                                      bool with_neighbours) const noexcept {
-    const std::size_t first =
-        with_neighbours && cell > 0 && graph.has_successor(cell - 1) ? cell - 1 : cell;
-    const std::size_t last = with_neighbours && graph.has_successor(cell) ? cell + 1 : cell;
-    std::int64_t latest = kNever;
-    for (std::size_t i = first; i <= last; ++i) {
-        latest = std::max<std::int64_t>(latest, last_danced_[i]);
-    }
-    for (int i = 0; i < future.beats; ++i) {
-        const std::size_t own = future.steps[static_cast<std::size_t>(i)].cell;
-        if (own >= first && own <= last) {
-            latest = std::max(latest, beat_ + i);
+                                      const CellStep& step,
+                                      const CellGraph& graph) const noexcept {
+    const std::size_t cell = step.cell;
+    const bool has_before = step.is_joined && cell > 0 && graph.has_successor(cell - 1);
+    const bool has_after = step.is_joined && graph.has_successor(cell);
+    const std::size_t first = has_before ? cell - 1 : cell;
+    const std::size_t last = has_after ? cell + 1 : cell;
+    std::array<std::int64_t, 2> latest{kNever, kNever};  // as it is, mirrored
+    for (std::size_t side = 0; side < latest.size(); ++side) {
+        for (std::size_t i = first; i <= last; ++i) {
+            latest[side] = std::max<std::int64_t>(latest[side], last_danced_[side][i]);
         }
     }
-    return beat_ + future.beats - latest;
+    for (int i = 0; i < future.beats; ++i) {
+        const CellStep& own = future.steps[static_cast<std::size_t>(i)];
+        if (own.cell >= first && own.cell <= last) {
+            latest[own.is_mirrored ? 1 : 0] = beat_ + i;
+        }
+    }
+    const std::int64_t now = beat_ + future.beats;
+    const std::size_t side = step.is_mirrored ? 1 : 0;
+    return std::min(now - latest[side], kMirroredLater * (now - latest[1 - side]));
 }
 
 namespace {
@@ -162,9 +171,7 @@ namespace {
 double weight_of_age(std::int64_t beats) noexcept {
     const double novel = CellChooser::kNovel;
     const auto age = static_cast<double>(beats);
-    return age < novel         ? kRepeatWeight * age / novel
-           : age < 4.0 * novel ? age / (4.0 * novel)
-                               : 1.0;
+    return age < novel ? kRepeatWeight * age / novel : age < kForgotten ? age / kForgotten : 1.0;
 }
 
 double weight_of_energy(double share, double wanted) noexcept {
@@ -236,24 +243,27 @@ std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
     }
     const CellBeatWish& beat = wish.beats[static_cast<std::size_t>(future.beats)];
     const std::size_t from = future.last.cell;
-    const auto suits = [&](std::size_t cell, bool is_joined) {
-        return weight_of_age(beats_since(future, cell, graph, is_joined)) *
-               weight_of_energy(energy_share(graph, cell), beat.energy) *
-               (beat.rests_at_end ? std::exp(-kRestSoftness * unrest(graph, cell)) : 1.0);
+    const auto suits = [&](const CellStep& step) {
+        return weight_of_age(beats_since(future, step, graph)) *
+               weight_of_energy(energy_share(graph, step.cell), beat.energy) *
+               (beat.rests_at_end ? std::exp(-kRestSoftness * unrest(graph, step.cell)) : 1.0);
     };
+    const auto along = [&](const CellArc& arc) {
+        return CellStep{arc.to, arc.is_mirrored != future.last.is_mirrored, true};
+    };
+    const CellStep natural{static_cast<std::uint16_t>(from + 1), future.last.is_mirrored, false};
     const auto arcs = graph.arcs_of(from);
     std::array<double, 65> weights{};  // of the arcs, and of the successor behind them
     const std::size_t count = std::min(arcs.size(), weights.size() - 1);
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        weights[i] = weight_of_arc(arcs[i]) * suits(arcs[i].to, true);
+        weights[i] = weight_of_arc(arcs[i]) * suits(along(arcs[i]));
         sum += weights[i];
     }
     const bool may_go_on =
         graph.has_successor(from) && (count == 0 || (future.run < kLongestRun && !beat.is_another));
     if (may_go_on) {
-        weights[count] =
-            (future.run < kShortRun ? kGoOnEarly : kGoOnLater) * suits(from + 1, false);
+        weights[count] = (future.run < kShortRun ? kGoOnEarly : kGoOnLater) * suits(natural);
         weights[count] = std::max(weights[count], 1e-12);
         sum += weights[count];
     }
@@ -267,10 +277,7 @@ std::optional<CellStep> CellChooser::drawn_step(const CellGraph& graph,
         at -= weights[chosen];
         ++chosen;
     }
-    if (chosen == count) {
-        return CellStep{static_cast<std::uint16_t>(from + 1), future.last.is_mirrored, false};
-    }
-    return CellStep{arcs[chosen].to, arcs[chosen].is_mirrored != future.last.is_mirrored, true};
+    return chosen == count ? natural : along(arcs[chosen]);
 }
 
 // What a step costs for what the music and the user want of its beat.
@@ -302,8 +309,9 @@ void CellChooser::take(const CellGraph& graph,
             arc != nullptr ? static_cast<double>(arc->distance) / kJoinDistance : 0.0;
         future.cost += arc != nullptr ? kJoinCost + apart * apart : kFarJoin;
     }
-    if (!is_of_row && beats_since(future, step.cell, graph, step.is_joined) < kNovel) {
-        future.cost += kRepeatCost;
+    if (!is_of_row) {
+        const auto age = static_cast<double>(beats_since(future, step, graph));
+        future.cost += kRepeatCost * std::max(0.0, 1.0 - age / kForgotten);
     }
     const double side = step.is_mirrored ? -1.0 : 1.0;
     future.place = future.place * FloorMove{side * static_cast<double>(cell.turn),

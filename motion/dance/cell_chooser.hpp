@@ -45,8 +45,9 @@ struct CellWish {
 /// Chooses the cells of a dance. Futures of kLook beats are drawn along the arcs, near ones more
 /// often, and the one that keeps to the stage and to the front, gives what the music gives, joins
 /// softly and repeats least is followed for kFollowed beats; what is left of it is the first future
-/// of the next decision. What was danced in the last kNovel beats, its neighbours in the take and
-/// their mirror images are hardly danced again, unless a row asks for it.
+/// of the next decision. What was danced in the last kNovel beats and its neighbours in the take
+/// are hardly danced again, and later the less often the sooner; their mirror images may come
+/// earlier. A row that is asked for may come at any time.
 ///
 /// The draws depend on the seed and on what was asked alone. Threads: one. Real-time: yes; each
 /// call of draw() costs one future.
@@ -94,9 +95,8 @@ class CellChooser {
                                  const CellStep& step,
                                  const CellBeatWish& wish) const noexcept;
     [[nodiscard]] std::int64_t beats_since(const Future& future,
-                                           std::size_t cell,
-                                           const CellGraph& graph,
-                                           bool with_neighbours) const noexcept;
+                                           const CellStep& step,
+                                           const CellGraph& graph) const noexcept;
     void take(const CellGraph& graph,
               const CellStep& step,
               const CellWish& wish,
@@ -113,7 +113,8 @@ class CellChooser {
     int best_beats_ = 0;
     std::array<CellStep, kLook> kept_{};  // of the last decision, beyond what was followed
     int kept_beats_ = 0;
-    std::array<std::int32_t, kMostCells> last_danced_{};  // beat; negative: never
+    // By side, as it is and mirrored, and cell: the beat; negative: never.
+    std::array<std::array<std::int32_t, kMostCells>, 2> last_danced_{};
 };
 
 /// Share of the dance's cells that are calmer than a cell, [0, 1]. Threads: any. Real-time: yes.

@@ -24,7 +24,7 @@ constexpr double kAddedStep = 0.4;      // beats
 
 glm::vec2 over_ground(const glm::vec3& place) noexcept { return {place.x, place.z}; }
 
-float heading_of_foot(const glm::quat& rotation) noexcept {
+float foot_heading(const glm::quat& rotation) noexcept {
     const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
     return std::atan2(ahead.x, ahead.z);
 }
@@ -41,16 +41,18 @@ FigureSize size_of_cells(const Manner& manner) noexcept {
 
 }  // namespace
 
-// The phase of a piece as it is shown: from its rest it starts softly, and is then in time.
+// The phase of a piece as it is shown: after a rest it makes up for what it lacks, and ends as fast
+// as the music (a Hermite curve). It starts at its mean rate: the dancer smooths the change.
 double CellSequence::shown(const Piece& piece, double phase) noexcept {
     const Rest& rest = piece.rest;
     if (phase >= rest.to) {
         return phase;
     }
-    const double t = std::max(0.0, (phase - rest.from) / (rest.to - rest.from));
-    // Hermite: still at the beginning, as fast as the music at the end.
-    const double way = t * t * (3.0 - 2.0 * t);
-    return rest.at + way * (rest.to - rest.at) + t * t * (t - 1.0) * (rest.to - rest.from);
+    const double beats = rest.to - rest.from;
+    const double way = rest.to - rest.at;
+    const double t = std::max(0.0, (phase - rest.from) / beats);
+    const double back = 1.0 - t;
+    return rest.at + way * t * t * (3.0 - 2.0 * t) + way * t * back * back - beats * t * t * back;
 }
 
 Pose CellSequence::pose_of(const Piece& piece, double phase) const noexcept {
@@ -178,8 +180,8 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
             continue;
         }
         foot.aside = over_ground(stood[s].pivot - stand[s].pivot) - apart;
-        foot.yaw = static_cast<float>(
-            std::remainder(heading_of_foot(stood[s].rotation) - heading_of_foot(stand[s].rotation), 2.0 * M_PI));
+        foot.yaw = static_cast<float>(std::remainder(
+            foot_heading(stood[s].rotation) - foot_heading(stand[s].rotation), 2.0 * M_PI));
         foot.leaves = stands[s].leaves;
         foot.lands = std::max(stands[s].lands, foot.leaves + kSample);
         const float way = glm::length(foot.aside);

@@ -10,14 +10,16 @@ namespace raks::motion {
 namespace {
 
 constexpr double kFeltSeconds = 0.8;      // time constant of the energy that is felt
-constexpr double kLiftShare = 0.5;        // of a drop's lift that counts as energy
-constexpr double kBreakdownShare = 0.25;  // of the cells: those that suit a breakdown at most
-constexpr double kLookAhead = 12.0;       // beats in which events are looked for
+constexpr double kLiftShare = 0.9;        // of what is left to the greatest cells, after a drop
+constexpr double kLiftLasts = 2.0;        // so many times a lift counts, up to 1
+constexpr double kBreakdownShare = 0.1;   // of the cells: those that suit a breakdown at most
+constexpr double kEventsAhead = 12.0;     // beats in which events are looked for
 constexpr double kRestBeats = 2.0;        // of a rest at the end of a phrase
 constexpr double kRestShare = 0.7;        // of the phrases that end in a rest
 constexpr double kHalfRestShare = 0.4;    // of those that have one in their middle
 constexpr double kLivelyRest = 0.2;       // energy from which phrases end in rests
 constexpr double kNearLine = 0.2;         // beats about a bar line in which bars may be told apart
+constexpr double kRoundedUp = 0.25;       // beats before a beat that are on it
 constexpr double kStillDue = 0.1;         // beats
 constexpr std::uint64_t kRestDraws = 41;  // stream of random numbers
 
@@ -59,8 +61,9 @@ double CellListener::energy_of(const MusicState& music, const CellMoment& moment
     if (!moment.has_dynamics) {
         return range_.share_below(felt);
     }
-    const double share =
-        range_.share_below(felt + kLiftShare * static_cast<double>(moment.manner.lift()));
+    double share = range_.share_below(felt);
+    const double lift = std::min(1.0, kLiftLasts * static_cast<double>(moment.manner.lift()));
+    share += kLiftShare * lift * (1.0 - share);
     return music.part == MusicPart::breakdown ? std::min(share, kBreakdownShare) : share;
 }
 
@@ -81,10 +84,11 @@ void CellListener::look_at_drop(const MusicState& music,
     }
     for (const MusicEvent& event : music.ahead.events) {
         const double at = std::round(phase_at(music, moment.phase, event.time));
-        if (event.kind == Kind::drop && at - now < kLookAhead) {
+        if (event.kind == Kind::drop && at - now < kEventsAhead) {
             asked.drop_at = at;
-        } else if ((event.kind == Kind::stop || event.kind == Kind::end) && at - now < kLookAhead) {
-            asked.rests_at = std::floor(phase_at(music, moment.phase, event.time));
+        } else if ((event.kind == Kind::stop || event.kind == Kind::end) &&
+                   at - now < kEventsAhead) {
+            asked.rests_at = std::floor(phase_at(music, moment.phase, event.time) + kRoundedUp);
         }
         if (event.kind != Kind::none) {
             break;

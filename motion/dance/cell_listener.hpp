@@ -31,6 +31,11 @@ class CellListener {
  public:
     /// One hop of music, danced or not.
     void hear(const MusicState& music) noexcept RAKS_NONBLOCKING;
+    /// A dance begins at phase 0: what was told by phases is over.
+    void begin() noexcept {
+        drop_at_.reset();
+        song_.reset();
+    }
     /// What is asked at this hop, which was heard.
     [[nodiscard]] CellMusic asked(const MusicState& music,
                                   const CellMoment& moment) noexcept RAKS_NONBLOCKING;

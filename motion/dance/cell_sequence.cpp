@@ -14,8 +14,9 @@ constexpr double kDropLasts = 4.0;      // beats of the greatest cells
 constexpr double kBeatRounding = 1e-6;  // beats
 constexpr int kMostToComeBack = 6;      // beats of a take in which it comes from a rest into time
 constexpr double kRateBack = 1.1;       // at which it does best
-constexpr double kBackCost = 0.08;      // of a beat that passes until then
-constexpr double kSoonestBack = 0.4;    // beats
+constexpr double kBackCost = 0.15;      // of a beat that passes until then
+constexpr double kSeenBefore = 0.1;   // beats before, from which on it moves: its speed is smoothed
+constexpr double kSoonestBack = 0.4;  // beats
 
 bool is_odd(double phase) noexcept { return std::lround(phase) % 2 != 0; }
 
@@ -257,7 +258,7 @@ void CellSequence::go_on_from(Beats key, Beats phase) noexcept RAKS_NONBLOCKING 
     piece.floor = stood.floor;
     piece.from = back - best;
     piece.until = best > 0 ? back : back + 1.0;
-    piece.rest = {piece.from + into, now, back};
+    piece.rest = {piece.from + into, now - kSeenBefore, back};
     phase_ = now;
     begin_with(piece);
 }

@@ -88,6 +88,11 @@ double speed(const std::vector<Pose>& poses, std::size_t from, std::size_t to) {
     return 100.0 * way / static_cast<double>(to - from);
 }
 
+std::string where(const DancerStatus& status) {
+    return std::string(status.figure.data()) + (status.is_mirrored ? "'" : "") +
+           std::to_string(status.count);
+}
+
 TEST(CellDancer, stops_with_the_music_and_goes_on_where_it_stood) {
     for (const HopIndex stop : {2'000, 2'025, 2'050, 2'075}) {
         const auto poses =
@@ -197,9 +202,55 @@ std::unique_ptr<EnsembleDanced> dance_together(Formation formation,
     return danced;
 }
 
-std::string where(const DancerStatus& status) {
-    return std::string(status.figure.data()) + (status.is_mirrored ? "'" : "") +
-           std::to_string(status.count);
+TEST(CellDancer, a_part_of_a_known_song_that_comes_again_is_danced_again) {
+    Dancer dancer;
+    ASSERT_TRUE(dancer.prepare(Repertoire::of_one(cells()), mannequin_skeleton(), DancerPart{}));
+    const auto track = std::make_unique<PoseTrack>();
+    std::vector<std::string> danced;  // by beat
+    constexpr std::size_t kBars = 8;
+    while (danced.size() < 8 * kBars) {
+        MusicState music = playing(track->newest_final() + 1);
+        const double beat = music.grid.beats_at(music.time).count();
+        const int bar = static_cast<int>(std::floor(beat / 4.0 + 1e-6));
+        music.ahead.is_known = true;
+        music.ahead.ends = stream_time_from_seconds(1'000.0);
+        music.ahead.bar = bar;
+        for (int i = 0; i < 4; ++i) {
+            const int first = bar + i - static_cast<int>(kBars);
+            const bool is_again = first >= 0 && first < static_cast<int>(kBars);
+            music.ahead.repeats[static_cast<std::size_t>(i)] =
+                static_cast<std::int16_t>(is_again ? first : -1);
+        }
+        dancer.advance(music, *track);
+        if (beat > static_cast<double>(danced.size()) + 0.5) {
+            danced.push_back(where(dancer.status()));
+        }
+    }
+    int same = 0;
+    for (std::size_t beat = 4 * kBars; beat < 8 * kBars; ++beat) {
+        same += danced[beat] == danced[beat - 4 * kBars] ? 1 : 0;
+    }
+    EXPECT_GT(same, 20) << "of 32 beats";
+}
+
+TEST(CellDancer, dances_to_any_tempo_near_its_own_or_an_octave_of_it) {
+    const double learnt = 1.0 / test::salsa_cells().graph.beat_seconds;
+    for (const double bpm : {60.0, 90.0, 120.0, 168.0, 200.0, 230.0}) {
+        Dancer dancer;
+        ASSERT_TRUE(
+            dancer.prepare(Repertoire::of_one(cells()), mannequin_skeleton(), DancerPart{}));
+        const auto track = std::make_unique<PoseTrack>();
+        std::vector<Pose> poses;
+        for (HopIndex hop = 0; hop < 2'000; ++hop) {
+            dancer.advance(test::sure_state(hop, test::steady_grid(bpm)), *track);
+            poses.push_back(track->at_hop(hop));
+        }
+        const DancerStatus status = dancer.status();
+        EXPECT_TRUE(status.is_dancing) << bpm;
+        EXPECT_GT(status.rate / learnt, 0.6) << bpm;
+        EXPECT_LT(status.rate / learnt, 1.6) << bpm;
+        EXPECT_LT(test::largest_step(poses, 0, 2'000), 1.6 * test::kFastestStep) << bpm;
+    }
 }
 
 TEST(CellDancer, in_unison_all_dance_the_same_cells) {

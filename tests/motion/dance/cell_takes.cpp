@@ -13,6 +13,7 @@ namespace raks::motion::test {
 namespace {
 
 constexpr std::uint64_t kArcsEach = 10;
+constexpr int kCopies = 2;  // of each figure, so that there is a choice of cells
 
 DanceContent solved(const CellDance& dance) {
     auto content = make_cell_content(dance, mannequin_skeleton());
@@ -23,7 +24,12 @@ DanceContent solved(const CellDance& dance) {
 CellDance unmeasured_cells() {
     CellDance dance;
     dance.dance = "cells";
-    dance.takes = salsa_figures();
+    for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
+        for (int copy = 0; copy < kCopies; ++copy) {
+            const auto& figures = salsa_figures(role);
+            dance.takes.insert(dance.takes.end(), figures.begin(), figures.end());
+        }
+    }
     CellGraph& graph = dance.graph;
     for (std::size_t take = 0; take < dance.takes.size(); ++take) {
         const int beats = dance.takes[take].beats;
