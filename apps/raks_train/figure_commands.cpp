@@ -88,6 +88,7 @@ void add_train_take(CommandTable& table) {
         ->check(in_range(-86400.0, 86400.0))
         ->needs(music);
     app->add_option("--dance", a->dance, "its name, where -o is a folder");
+    app->add_option("--without", a->without, "takes of the table that are left out");
     app->add_option("--licence", a->licence, "of the takes, and who made them");
     add_body_options(*app, a->body);
     app->add_option("-o,--out", a->output, "NAME of a dance to install it as, or a folder");

@@ -61,12 +61,13 @@ struct TrainFigureArguments : LabelledClips {
 
 /// Arguments of `raks train take`.
 struct TrainTakeArguments {
-    std::vector<Path> clips;       ///< motion files, or a folder of them
-    Path counts;                   ///< .tsv: take, time, half, used
-    std::string dance;             ///< its name, where `output` is a folder
-    std::string licence;           ///< of the takes, and who made them
-    BodyArguments body;            ///< how bodies lie in the clips' files
-    std::string output;            ///< a folder, or the name of a dance
+    std::vector<Path> clips;           ///< motion files, or a folder of them
+    Path counts;                       ///< .tsv: take, time, half, used
+    std::vector<std::string> without;  ///< takes of the table that are left out
+    std::string dance;                 ///< its name, where `output` is a folder
+    std::string licence;               ///< of the takes, and who made them
+    BodyArguments body;                ///< how bodies lie in the clips' files
+    std::string output;                ///< a folder, or the name of a dance
     Path propose;                  ///< .tsv that proposed beats are written to; empty: it is learnt
     Path music;                    ///< that the takes were danced to; empty: none
     std::optional<double> offset;  ///< seconds of it at a clip's first frame; none: found

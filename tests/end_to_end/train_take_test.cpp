@@ -52,7 +52,7 @@ class TrainTake : public ProgramTest {
 TEST_F(TrainTake, a_take_is_danced_by_its_name) {
     const ProcessResult trained = train();
     ASSERT_EQ(trained.exit_code, 0) << trained.err;
-    EXPECT_NE(trained.err.find("mine: 36 of 39 beats are danced"), std::string::npos)
+    EXPECT_NE(trained.err.find("mine: 37 of 39 beats are danced"), std::string::npos)
         << trained.err;
     const ProcessResult listed = run({"dances"});
     EXPECT_NE(listed.out.find("36 beats of people's takes: mine_0"), std::string::npos)
@@ -65,6 +65,46 @@ TEST_F(TrainTake, a_take_is_danced_by_its_name) {
         run({"dance", path("song.wav"), "--dance", "mine", "-o", path("x.bvh")});
     EXPECT_EQ(danced.exit_code, 0) << danced.err;
     EXPECT_TRUE(fs::exists(path("x.bvh")));
+}
+
+TEST_F(TrainTake, what_raks_danced_is_learnt_again_and_a_repeat_of_it_is_found) {
+    ASSERT_EQ(train().exit_code, 0);
+    write_clicks("song.wav", 12.0);
+    ASSERT_EQ(
+        run({"dance", path("song.wav"), "--dance", "mine", "-o", path("again.bvh")}).exit_code, 0);
+    // The same dance twice, 24 beats each.
+    std::string text = *read_text_file(path("again.bvh"), 100'000'000);
+    const std::size_t count = text.find("Frames: ") + 8;
+    const int frames = std::stoi(text.substr(count));
+    text += text.substr(text.find('\n', text.find("Frame Time:")) + 1);
+    text.replace(count, std::to_string(frames).size(), std::to_string(2 * frames));
+    ASSERT_TRUE(write_file(path("again.bvh"), text));
+    std::string table = "take\ttime\thalf\tused\n";
+    for (int beat = 0; beat < 46; ++beat) {
+        table += fmt::format("again\t{}\t{}\t1\n", 0.5 + 0.5 * beat, 1 + beat % 2);
+    }
+    ASSERT_TRUE(write_file(folder_ / "again.tsv", table));
+    const ProcessResult trained = run({"train",
+                                       "take",
+                                       path("again.bvh"),
+                                       "--counts",
+                                       path("again.tsv"),
+                                       "--without",
+                                       "mine",
+                                       "-o",
+                                       "again"});
+    EXPECT_NE(trained.err.find("mine: cannot be left out, the table has no such take"),
+              std::string::npos)
+        << trained.err;
+    const ProcessResult again =
+        run({"train", "take", path("again.bvh"), "--counts", path("again.tsv"), "-o", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const std::size_t said = again.err.find(" cells are repeats of ");
+    ASSERT_NE(said, std::string::npos) << again.err;
+    const std::size_t number = again.err.rfind(' ', said - 1) + 1;
+    EXPECT_GE(std::stoi(again.err.substr(number)), 20) << again.err;
+    EXPECT_EQ(run({"dance", path("song.wav"), "--dance", "again", "-o", path("y.bvh")}).exit_code,
+              0);
 }
 
 TEST_F(TrainTake, what_takes_do_not_have_is_refused_in_one_line) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "training/cells/cell_reach.hpp"
 
 namespace raks::motion {
 namespace {
@@ -52,9 +53,9 @@ TEST(TakeMoments, are_as_far_apart_as_their_joints) {
 
 TEST(CellArcs, a_planted_loop_is_found) {
     // The fourth beat ends as the first begins.
-    const CellArcs joined = join_cells(take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0}));
+    const ReachedCells joined =
+        reached_cells(join_cells(take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0})).graph);
     EXPECT_EQ(joined.graph.cells.size(), 4U);
-    EXPECT_EQ(joined.left_out, 0U);
     const auto arcs = joined.graph.arcs_of(3);
     ASSERT_FALSE(arcs.empty());
     EXPECT_EQ(arcs[0].to, 0U);
@@ -66,10 +67,20 @@ TEST(CellArcs, what_is_reached_from_nothing_is_left_out) {
     auto cells = take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0});
     const auto other = take_of(1, {9.0, 10.0, 11.0, 12.0, 0.0});
     cells.insert(cells.end(), other.begin(), other.end());
-    const CellArcs joined = join_cells(cells);
-    EXPECT_EQ(joined.graph.cells.size(), 4U);
-    EXPECT_EQ(joined.left_out, 4U);
-    EXPECT_NEAR(joined.connected, 0.5, 1e-12);
+    EXPECT_EQ(reached_cells(join_cells(cells).graph).graph.cells.size(), 4U);
+}
+
+TEST(CellArcs, are_wider_only_where_cells_would_be_left_out) {
+    // A second loop whose hands are 0.55 m further out: 20 cm on the mean.
+    auto cells = take_of(0, {0.0, 1.0, 2.0, 3.0, 0.0});
+    const auto other = take_of(1, {0.55, 1.55, 2.55, 3.55, 0.55});
+    cells.insert(cells.end(), other.begin(), other.end());
+    const JoinedCells joined = join_cells(cells);
+    EXPECT_EQ(joined.wide_joins, 2U);
+    EXPECT_EQ(reached_cells(joined.graph).graph.cells.size(), 8U);
+    const JoinedCells narrow = join_cells(cells, {.widest = 18.0});
+    EXPECT_EQ(narrow.wide_joins, 0U);
+    EXPECT_EQ(reached_cells(narrow.graph).graph.cells.size(), 4U);
 }
 
 TEST(CellArcs, lead_from_one_half_of_the_bar_to_the_other) {
