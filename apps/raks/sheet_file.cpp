@@ -152,6 +152,11 @@ Expected<void> SheetStudio::write_sheet(const Path& output,
     return write(output, bodies, config, labels);
 }
 
+Expected<render::PoseSheet> SheetStudio::draw_sheet(std::span<const motion::Pose> poses,
+                                                    const render::PoseSheetConfig& config) {
+    return render::draw_pose_sheet(renderer_, scene_, poses, framed(config));
+}
+
 Expected<render::PoseSheet> SheetStudio::draw_sticks(std::span<const motion::Pose> poses,
                                                      const render::PoseSheetConfig& config) {
     render::Scene scene = scene_;

@@ -62,7 +62,10 @@ class SheetStudio {
                                              std::span<const render::ClipBody> bodies,
                                              const render::PoseSheetConfig& config,
                                              const SheetLabels& labels);
-    /// Draws a pose sheet of stick figures for whoever writes around it. Errors: those of the sheet.
+    /// Draws a pose sheet for whoever writes around it. Errors: those of the sheet.
+    [[nodiscard]] Expected<render::PoseSheet> draw_sheet(std::span<const motion::Pose> poses,
+                                                         const render::PoseSheetConfig& config);
+    /// The same of stick figures, whatever the look says.
     [[nodiscard]] Expected<render::PoseSheet> draw_sticks(std::span<const motion::Pose> poses,
                                                           const render::PoseSheetConfig& config);
     /// Films poses, one a picture: from the front and, beside it, from the side; no sound.
