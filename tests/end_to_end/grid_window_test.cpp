@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using render::Box;
 
-constexpr Box kArea{0.0F, 0.0F, 1280.0F, 720.0F};
+constexpr Box kGridArea{0.0F, 0.0F, 1280.0F, 720.0F};
 
 /// A take of twenty seconds and a display as large as the window.
 class GridWindow : public ProgramTest {
@@ -98,7 +98,7 @@ class GridWindow : public ProgramTest {
     }
 
     Xvfb display_;
-    apps::GridLayout layout_ = apps::grid_layout(kArea, false);
+    apps::GridLayout layout_ = apps::grid_layout(kGridArea, false);
     apps::GridView view_;  // as the window begins: the first ten seconds
     std::optional<CapturedProcess> program_;
     std::string window_;
