@@ -22,7 +22,7 @@ constexpr double kRepeatWeight = 0.003;  // of what was danced lately
 // Costs of a future.
 constexpr double kStageRadius = 1.3;  // metres from the middle that cost nothing
 constexpr double kStageCost = 2.5;    // a square metre beyond
-constexpr double kTurnedCost = 0.6;   // turned away, of 2
+constexpr double kTurnedCost = 0.8;   // turned away, of 2
 constexpr double kJoinCost = 0.5;
 constexpr double kJoinDistance = 10.0;  // centimetres that cost 1 more
 constexpr double kRepeatCost = 3.0;     // at once; nothing after kForgotten beats

@@ -22,6 +22,10 @@ constexpr float kAddedLift = 0.04F;     // metres, at the middle of an added ste
 constexpr double kLongestAside = 2.0;   // beats
 constexpr double kAddedStep = 0.4;      // beats
 
+constexpr double kFacesUs = 0.5;    // radians from the audience that count as facing it
+constexpr double kTurnShare = 0.3;  // of what is beyond, made up at a join
+constexpr double kMostTurn = 0.12;  // radians, at a join
+
 glm::vec2 over_ground(const glm::vec3& place) noexcept { return {place.x, place.z}; }
 
 float foot_heading(const glm::quat& rotation) noexcept {
@@ -140,6 +144,14 @@ std::array<CellSequence::Stand, 2> CellSequence::stands_from(const Piece& after)
     return stands;
 }
 
+// What a join turns the dance towards the audience, radians: so little that feet can stay.
+double CellSequence::turn_to_us(const Pose& pose) const noexcept {
+    const double away = std::remainder(floor_frame(pose).heading - stage_.heading, 2.0 * M_PI);
+    const double beyond = std::max(0.0, std::abs(away) - kFacesUs);
+    const double turn = std::min(kMostTurn, kTurnShare * beyond);
+    return faces_us_ ? -std::copysign(turn, away) : 0.0;
+}
+
 // Lays the next piece so that the feet that stand in both stay where they are, and decides how each
 // foot goes over: one that stands in both stays where it is until the next piece takes it away;
 // others go over while they are in the air.
@@ -150,7 +162,8 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
     const Pose from = with_feet(before, after.from);
     after.floor = {};
     const Pose own = pose_of(after, after.from);
-    const FloorMove turned{floor_frame(from).heading - floor_frame(own).heading, {}};
+    const double heading = floor_frame(from).heading + turn_to_us(from);
+    const FloorMove turned{heading - floor_frame(own).heading, {}};
     std::array<FootPlace, 2> stood;
     std::array<FootPlace, 2> stand;
     glm::vec2 apart{};

@@ -34,6 +34,12 @@ double phase_at(const MusicState& music, const DancePhase& phase, StreamTime tim
 void CellListener::hear(const MusicState& music) noexcept RAKS_NONBLOCKING {
     const double share = 1.0 - std::exp(-to_seconds(kHop) / kFeltSeconds);
     felt_ += share * (static_cast<double>(music.energy.now) - felt_);
+    using Kind = MusicEvent::Kind;
+    has_come_in_ =
+        has_come_in_ || music.event.kind == Kind::drop || music.event.kind == Kind::entry;
+    if (music.event.kind == Kind::drop) {
+        dropped_ = music.event.time;
+    }
     if (!music.is_silent && music.part != MusicPart::stopped) {
         range_.hear(music.energy.now);
     }
@@ -72,13 +78,12 @@ void CellListener::look_at_drop(const MusicState& music,
                                 CellMusic& asked) noexcept {
     using Kind = MusicEvent::Kind;
     const double now = moment.phase.phase().count();
-    if (music.event.kind == Kind::drop || music.event.kind == Kind::entry) {
-        asked.has_come_in = !music.ahead.is_known;
-        if (music.event.kind == Kind::drop) {
-            drop_at_ = std::round(phase_at(music, moment.phase, music.event.time));
-        }
+    asked.has_come_in = has_come_in_ && !music.ahead.is_known;
+    has_come_in_ = false;
+    if (dropped_) {
+        const double at = std::round(phase_at(music, moment.phase, *dropped_));
+        asked.drop_at = now - at < kEventsAhead ? std::optional(at) : std::nullopt;
     }
-    asked.drop_at = drop_at_;
     if (!music.ahead.is_known) {
         return;
     }

@@ -32,10 +32,7 @@ class CellListener {
     /// One hop of music, danced or not.
     void hear(const MusicState& music) noexcept RAKS_NONBLOCKING;
     /// A dance begins at phase 0: what was told by phases is over.
-    void begin() noexcept {
-        drop_at_.reset();
-        song_.reset();
-    }
+    void begin() noexcept { song_.reset(); }
     /// What is asked at this hop, which was heard.
     [[nodiscard]] CellMusic asked(const MusicState& music,
                                   const CellMoment& moment) noexcept RAKS_NONBLOCKING;
@@ -50,9 +47,10 @@ class CellListener {
     void look_at_song(const MusicState& music, const CellMoment& moment, CellMusic& asked) noexcept;
 
     EnergyRange range_;
-    double felt_ = 0.5;                // energy of the last second or so
-    std::optional<double> drop_at_{};  // of the last drop that was heard
-    std::optional<SongBars> song_{};   // as it was told last, away from a bar line
+    double felt_ = 0.5;                    // energy of the last second or so
+    std::optional<StreamTime> dropped_{};  // the last drop that was heard
+    bool has_come_in_ = false;             // something, since it was asked last
+    std::optional<SongBars> song_{};       // as it was told last, away from a bar line
 };
 
 }  // namespace raks::motion

@@ -14,7 +14,7 @@ constexpr double kDropLasts = 4.0;      // beats of the greatest cells
 constexpr double kBeatRounding = 1e-6;  // beats
 constexpr int kMostToComeBack = 6;      // beats of a take in which it comes from a rest into time
 constexpr double kRateBack = 1.1;       // at which it does best
-constexpr double kBackCost = 0.15;      // of a beat that passes until then
+constexpr double kBackCost = 0.30;      // of a beat that passes until then
 constexpr double kSeenBefore = 0.1;   // beats before, from which on it moves: its speed is smoothed
 constexpr double kSoonestBack = 0.4;  // beats
 
@@ -104,9 +104,9 @@ CellWish CellSequence::wished(const CellMusic& music, const FigureWish& wish) co
         const auto is_at = [phase](const std::optional<double>& when) {
             return when && std::abs(*when - phase) < 0.5;
         };
-        beat.energy = music.energy;
         beat.is_greatest = music.drop_at && phase > *music.drop_at - 0.5 &&
                            phase < *music.drop_at + kDropLasts - 0.5;
+        beat.energy = beat.is_greatest ? 1.0 : music.energy;
         beat.rests_at_end = music.rests_at && std::abs(*music.rests_at - (phase + 1.0)) < 0.5;
         beat.is_another = is_at(music.anew_at) || (i == 0 && wish.is_another);
         if (rows_.is_kept()) {

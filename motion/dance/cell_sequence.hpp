@@ -121,6 +121,7 @@ class CellSequence {
     [[nodiscard]] std::array<double, 2> stood_until(const Piece& before,
                                                     double join) const noexcept;
     [[nodiscard]] std::array<Stand, 2> stands_from(const Piece& after) const noexcept;
+    [[nodiscard]] double turn_to_us(const Pose& pose) const noexcept;
     void lay(const Piece& before, Piece& after) const noexcept;
     [[nodiscard]] FloorMove end_on_stage() const noexcept;
 

@@ -187,7 +187,7 @@ TEST(CellSequence, a_wished_take_comes) {
     cells.go_on_to(21.1);
     for (std::size_t take = 0; take < test::salsa_cells().takes.size(); ++take) {
         cells.wish.figure = take;
-        cells.go_on_to(cells.phase + 1.7);
+        cells.go_on_to(std::ceil(cells.phase + 0.6) + 0.2);
         EXPECT_FALSE(cells.wish.figure);
         EXPECT_EQ(Cells::graph().cells[cells.sequence->step_at(Beats(cells.phase)).cell].take,
                   take);
