@@ -26,12 +26,6 @@ double angle_between(const glm::quat& a, const glm::quat& b) {
     return 2.0 * std::atan2(sine, cosine);
 }
 
-bool does_move(std::span<const Pose> poses, Bone bone) {
-    return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
-        return angle_between(pose.rotation(bone), poses.front().rotation(bone)) > kStillJoint;
-    });
-}
-
 bool is_halved(std::span<const Pose> poses) {
     return std::all_of(poses.begin(), poses.end(), [](const Pose& pose) {
         return angle_between(pose.rotation(Bone::spine), pose.rotation(Bone::chest)) < kStillJoint;
@@ -66,14 +60,20 @@ double roll_of(const Skeleton& skeleton, Side side, const glm::quat& foot) {
 
 }  // namespace
 
+bool ever_moves(std::span<const Pose> poses, Bone bone) {
+    return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
+        return angle_between(pose.rotation(bone), poses.front().rotation(bone)) > kStillJoint;
+    });
+}
+
 bool spread_trunk(std::span<Pose> poses) {
     if (poses.empty()) {
         return false;
     }
     const auto moving = std::count_if(
-        kTrunk.begin(), kTrunk.end(), [&](Bone bone) { return does_move(poses, bone); });
+        kTrunk.begin(), kTrunk.end(), [&](Bone bone) { return ever_moves(poses, bone); });
     const bool is_one =
-        moving == 1 || (moving == 2 && !does_move(poses, Bone::upper_chest) && is_halved(poses));
+        moving == 1 || (moving == 2 && !ever_moves(poses, Bone::upper_chest) && is_halved(poses));
     if (!is_one) {
         return false;
     }
@@ -92,7 +92,8 @@ bool spread_trunk(std::span<Pose> poses) {
 bool roll_heels(const Skeleton& skeleton,
                 std::span<const std::array<SourceFoot, 2>> feet,
                 std::span<Pose> poses) {
-    if (poses.empty() || does_move(poses, Bone::left_toes) || does_move(poses, Bone::right_toes)) {
+    if (poses.empty() || ever_moves(poses, Bone::left_toes) ||
+        ever_moves(poses, Bone::right_toes)) {
         return false;
     }
     for (std::size_t frame = 0; frame < poses.size(); ++frame) {

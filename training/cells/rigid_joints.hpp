@@ -11,6 +11,10 @@
 /// place, feet without toes.
 namespace raks::motion {
 
+/// Whether a bone turns against its parent by more than half a degree; of at least one pose.
+/// Threads: any. Real-time: no.
+[[nodiscard]] bool ever_moves(std::span<const Pose> poses, Bone bone);
+
 /// Share of the trunk's rotation that its lower joint takes where only the sum is known: on
 /// captured dances right to 3.5 degrees, where a rigid trunk is wrong by 11.6 (measured on takes
 /// with two joints).

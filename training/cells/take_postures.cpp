@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "motion/figures/motion_features.hpp"
+#include "training/cells/rigid_joints.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -120,7 +120,18 @@ std::vector<bool> idle_frames(std::span<const TakeMoment> moments, double frames
     return idle;
 }
 
+// Whether motion passed over a robot's joints: these have no head and no collar bones to move.
+// People's arms hang with bent elbows, too, in many a basic step.
+bool is_of_robot(std::span<const Pose> poses) {
+    constexpr std::array<Bone, 4> kPeoples = {
+        Bone::neck, Bone::head, Bone::left_shoulder, Bone::right_shoulder};
+    return !poses.empty() && std::none_of(kPeoples.begin(), kPeoples.end(), [&](Bone bone) {
+        return ever_moves(poses, bone);
+    });
+}
+
 void judge_arms(std::span<const TakeMoment> moments,
+                bool may_be_home,
                 double frames_per_second,
                 TakePostures& postures) {
     std::array<std::vector<double>, 2> speeds;
@@ -129,7 +140,7 @@ void judge_arms(std::span<const TakeMoment> moments,
     }
     std::vector<double> spread(moments.size());
     for (std::size_t frame = 0; frame < moments.size(); ++frame) {
-        bool is_home = true;
+        bool is_home = may_be_home;
         bool is_spread = true;
         for (std::size_t side = 0; side < kArms.size(); ++side) {
             const ArmPosture arm = arm_of(moments[frame], kArms[side]);
@@ -186,7 +197,7 @@ TakePostures postures_of(std::span<const TakeMoment> moments,
                          double frames_per_second) {
     TakePostures postures;
     postures.is_idle = idle_frames(moments, frames_per_second);
-    judge_arms(moments, frames_per_second, postures);
+    judge_arms(moments, is_of_robot(poses), frames_per_second, postures);
     postures.is_leap = leaps_of(poses, frames_per_second);
     return postures;
 }

@@ -15,9 +15,10 @@ struct TakePostures {
     /// The mean speed of the joints over one second is under 0.25 m/s, for two seconds or at an end
     /// of the take: a shorter stillness within dancing is a hold, and stays.
     std::vector<bool> is_idle;
-    /// Both upper arms hang, both elbows are bent by 40 to 110 degrees, both forearms point ahead
-    /// and the hands hardly move about their shoulders: what motion that passed over a robot's
-    /// joints has wherever its maker gave the arms nothing to do.
+    /// Head and collar bones never move in the whole take, as in motion that passed over a robot's
+    /// joints, and both upper arms hang, both elbows are bent by 40 to 110 degrees, both forearms
+    /// point ahead and the hands hardly move about their shoulders: what such motion has wherever
+    /// its maker gave the arms nothing to do.
     std::vector<bool> is_home;
     /// Both arms are stretched sideways and kept so for a second and a half: a held T-pose.
     std::vector<bool> is_spread;

@@ -70,6 +70,14 @@ TEST(TakePostures, forearms_that_point_ahead_and_rest_are_a_machines) {
     EXPECT_EQ(seconds_of(judged(take).is_home), 0.0);
 }
 
+TEST(TakePostures, people_may_carry_their_arms_so) {
+    std::vector<TakeMoment> take;
+    add(3.0, kForward, 0.6, 0.1, take);
+    std::vector<Pose> poses(take.size());
+    poses.back().rotation(Bone::head) = glm::angleAxis(0.1F, glm::vec3(1, 0, 0));
+    EXPECT_EQ(seconds_of(postures_of(take, poses, kRate).is_home), 0.0);
+}
+
 TEST(TakePostures, arms_are_held_spread_only_for_long) {
     std::vector<TakeMoment> take;
     add(2.0, kRaised, 0.6, 0.1, take);
