@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -54,22 +53,37 @@ TEST(SongBars, are_numbered_from_the_first_that_can_be_danced_to) {
     EXPECT_EQ(piece.states.front().ahead.repeats[3], -1) << "one loop";
 }
 
-TEST(SongBars, after_a_breakdown_the_band_repeats_its_first_time) {
-    const KnownPiece piece =
-        piece_of(Style::four_on_the_floor, 120.0, 64.0, "full:48,breakdown:32,full:48");
-    const int first = state_in(piece, 120.0, 2).ahead.bar - 2;
-    for (int bar = 21; bar < 28; ++bar) {
-        const Foresight& ahead = state_in(piece, 120.0, bar).ahead;
-        EXPECT_EQ(ahead.bar, bar + first);
-        EXPECT_GE(ahead.repeats[0], 0) << bar;
-        EXPECT_LT(ahead.repeats[0], 12) << bar;
-        EXPECT_EQ((ahead.repeats[0] - bar) % 4, first % 4) << "the same chord, in bar " << bar;
+// Seconds at which the bar of this number begins.
+double start_of(const KnownPiece& piece, int number) {
+    const auto found =
+        std::find_if(piece.states.begin(), piece.states.end(), [&](const MusicState& state) {
+            return state.ahead.bar == number;
+        });
+    return found == piece.states.end() ? -1.0 : to_seconds(found->time);
+}
+
+// Rock has eight bars of a verse and eight of a chorus in turn, also behind a breakdown.
+TEST(SongBars, verse_and_chorus_repeat_their_first_times_behind_a_breakdown) {
+    constexpr double kBar = 4.0 * 60.0 / 130.0;
+    const KnownPiece piece = piece_of(Style::backbeat, 130.0, 76.0, "full:64,breakdown:32,full:64");
+    for (int bar = 1; bar < 16; ++bar) {
+        EXPECT_EQ(state_in(piece, 130.0, bar).ahead.repeats[0], -1) << bar;
     }
-    // What comes is known three bars ahead, across the border.
-    const Foresight& ahead = state_in(piece, 120.0, 19).ahead;
-    EXPECT_EQ(ahead.repeats[0], -1) << "the breakdown is new";
-    EXPECT_EQ(ahead.repeats[2], state_in(piece, 120.0, 21).ahead.repeats[0]);
-    EXPECT_EQ(ahead.repeats[3], state_in(piece, 120.0, 22).ahead.repeats[0]);
+    const auto expect_repeat = [&](int bar, int before) {
+        const Foresight& ahead = state_in(piece, 130.0, bar).ahead;
+        ASSERT_GE(ahead.repeats[0], 0) << bar;
+        const double back = start_of(piece, ahead.bar) - start_of(piece, ahead.repeats[0]);
+        // At the start the tracker may take beat 3 for the downbeat.
+        EXPECT_NEAR(back, before * kBar, 0.5 * kBar + 0.1) << bar;
+    };
+    for (int bar = 26; bar < 31; ++bar) {
+        expect_repeat(bar, 16);      // the chorus
+        expect_repeat(bar + 8, 32);  // the verse
+    }
+    // What comes is known three bars ahead.
+    const int here = state_in(piece, 130.0, 27).ahead.repeats[0];
+    EXPECT_EQ(state_in(piece, 130.0, 25).ahead.repeats[2], here);
+    EXPECT_EQ(state_in(piece, 130.0, 24).ahead.repeats[3], here);
 }
 
 // Against the scores that the songs were made from.
@@ -82,23 +96,18 @@ TEST(SongBars, parts_of_drawn_songs_that_come_again_are_found) {
                                  Style::oom_pah_pah};
     RepeatScore all;
     for (const Style style : kStyles) {
-        for (const std::uint64_t seed : {1U, 2U}) {
-            MusicPlan plan;
-            plan.style = style;
-            plan.tempo = {{0.0, usual_tempo(style).bpm()}};
-            plan.seconds = 100.0;
-            plan.seed = seed;
-            plan.form = song_form_of(plan);
-            const KnownPiece piece = piece_of(plan);
-            const RepeatScore score = score_repeats(true_bars(piece.music), piece.states);
-            all += score;
-            RecordProperty(std::string(name_of(style)) + std::to_string(seed),
-                           std::to_string(score.recall()));
-        }
+        MusicPlan plan;
+        plan.style = style;
+        plan.tempo = {{0.0, usual_tempo(style).bpm()}};
+        plan.seconds = 130.0;
+        plan.first_beat_seconds = 0.5;
+        plan.form = song_form_of(plan);
+        const KnownPiece piece = piece_of(plan);
+        all += score_repeats(true_bars(piece.music), piece.states);
     }
-    EXPECT_GT(all.wanted, 100U);
-    EXPECT_GE(all.recall(), 0.7);
-    EXPECT_GE(all.precision(), 0.9);
+    EXPECT_GT(all.wanted, 60U);
+    EXPECT_GE(all.recall(), 0.75) << all.found << " of " << all.wanted;
+    EXPECT_GE(all.precision(), 0.9) << all.right << " of " << all.told;
 }
 
 }  // namespace
