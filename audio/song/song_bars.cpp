@@ -180,18 +180,17 @@ void write_bars(const SongRecording& song,
     const std::vector<int> repeats = find_repeats(begins_part, [&](std::size_t a, std::size_t b) {
         return distance_of(bars[a], bars[b], alike);
     });
-    int bar = -1;
+    std::size_t begun = 0;  // bars so far
     for (MusicState& state : states) {
-        while (static_cast<std::size_t>(bar + 1) < bars.size() &&
-               bars[static_cast<std::size_t>(bar + 1)].time < state.time + kHop) {
-            ++bar;
+        while (begun < bars.size() && bars[begun].time < state.time + kHop) {
+            ++begun;
         }
-        state.ahead.bar = bar;
+        state.ahead.bar = static_cast<int>(begun) - 1;
         for (std::size_t i = 0; i < state.ahead.repeats.size(); ++i) {
-            const auto at = static_cast<std::size_t>(bar + static_cast<int>(i));
-            const bool is_known = bar + static_cast<int>(i) >= 0 && at < repeats.size();
-            state.ahead.repeats[i] =
-                is_known ? static_cast<std::int16_t>(repeats[at]) : std::int16_t{-1};
+            // Bar `begun` + i - 1, which before the first bar may not exist.
+            const std::size_t after = begun + i;
+            const bool is_known = after >= 1 && after <= repeats.size();
+            state.ahead.repeats[i] = static_cast<std::int16_t>(is_known ? repeats[after - 1] : -1);
         }
     }
 }
