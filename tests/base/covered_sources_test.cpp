@@ -34,6 +34,8 @@ const std::map<std::string, std::string> kCovered = {
     {"motion/dance/cell_joins.cpp", "CellSequence, calm_manners_make_its_poses_smaller"},
     {"motion/dance/pose_join.cpp", "FigureSequence, all_figures_begin_and_end_on_the"},
     {"training/cells/cell_training.cpp", "TrainTake, a_take_is_danced_by_its_name"},
+    {"training/cells/grid_cues.cpp", "GridProposal, is_the_same_for_a_clip_of_another_rate"},
+    {"training/cells/take_likeness.cpp", "GridProposal, finds_a_planted_loop"},
     {"training/cells/take_moments.cpp", "TakeMoments, mirrored_twice_are_the_same"},
     {"motion/dance/dance_content.cpp", "FigureSequence, all_figures_begin_and_end_on_the"},
     {"motion/dance/figure_sequence.cpp", "FigureSequence, two_half_turns_lead_back"},

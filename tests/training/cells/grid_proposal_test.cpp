@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.hpp"
 #include "tests/training/discovery/stepping_dance.hpp"
-#include "training/cells/grid_music.hpp"
 
 namespace raks::motion::grid_proposal_test {
 namespace {
@@ -100,86 +98,6 @@ TEST(GridProposal, has_no_beats_of_who_stands_and_of_a_moment) {
     one.poses.resize(1);
     one.feet.resize(1);
     EXPECT_TRUE(propose_grid("one", grid_cues(one)).grid.beats.empty());
-}
-
-/// Cues with an impulse at each of these moments, of a body that always moves.
-GridCues cues_with(const std::vector<double>& times, double seconds) {
-    GridCues cues;
-    const auto rows = static_cast<std::size_t>(seconds * kCueRate) + 1;
-    cues.impulse.resize(rows, -0.1);
-    cues.body_speed.resize(rows, 1.0);
-    for (const double time : times) {
-        cues.impulse[cues.row_at(time)] = 3.0;
-    }
-    return cues;
-}
-
-TEST(GridMusic, is_laid_where_its_beats_meet_the_landings) {
-    // Beats that are not even, so that there is one place only.
-    const CounterRandom random(5);
-    DancedMusic music;
-    double at = 0.4;
-    for (std::uint64_t i = 0; i < 120; ++i) {
-        music.beats.push_back({at, static_cast<int>(i % 4) + 1});
-        at += 0.45 + 0.1 * random.uniform(i);
-    }
-    constexpr double kOffset = 12.34;
-    std::vector<double> landings;
-    for (const MusicBeat& beat : music.beats) {
-        if (beat.seconds > kOffset && beat.seconds < kOffset + 20.0) {
-            landings.push_back(beat.seconds - kOffset);
-        }
-    }
-    const GridCues cues = cues_with(landings, 20.0);
-    const MusicOffset found = find_offset(cues, music);
-    EXPECT_NEAR(found.seconds, kOffset, 0.02);
-    EXPECT_GT(found.strength, 4.0);
-    music.offset = found.seconds;
-    const TakeGrid grid = grid_of_music("take", cues, music);
-    ASSERT_GE(grid.beats.size(), landings.size() - 1);
-    for (std::size_t i = 1; i < grid.beats.size(); ++i) {
-        EXPECT_GT(grid.beats[i].time, grid.beats[i - 1].time);
-        EXPECT_NE(grid.beats[i].half, grid.beats[i - 1].half);
-    }
-    EXPECT_FALSE(grid.beats.back().is_used) << "it ends behind the clip";
-}
-
-TEST(GridMusic, of_an_even_song_lies_within_a_beat_of_the_start) {
-    DancedMusic music;
-    std::vector<double> landings;
-    for (int i = 0; i < 200; ++i) {
-        music.beats.push_back({0.5 * i, i % 4 + 1});
-    }
-    for (int i = 0; i < 38; ++i) {
-        landings.push_back(0.2 + 0.5 * i);
-    }
-    const MusicOffset found = find_offset(cues_with(landings, 20.0), music);
-    EXPECT_LT(std::abs(found.seconds), 0.5);
-    EXPECT_NEAR(std::remainder(found.seconds + 0.2, 0.5), 0.0, 0.03);
-    EXPECT_EQ(find_offset(cues_with(landings, 20.0), {}).strength, 0.0);
-}
-
-TEST(TakeGrid, is_written_as_it_is_read) {
-    const auto beats = parse_take_beats(
-        "take\ttime\thalf\tused\na\t0.1\t1\t1\nb\t2\t2\t0\na\t1.0166666666666666\t2\t1\n", "x");
-    ASSERT_TRUE(beats);
-    const std::vector<TakeGrid> grids = grids_of(*beats);
-    ASSERT_EQ(grids.size(), 2U);
-    EXPECT_EQ(grids[0].beats.size(), 2U);
-    const std::vector<std::string> remarks = {"by hand"};
-    const std::string text = grids_text(grids, remarks);
-    EXPECT_EQ(text.substr(0, 10), "# by hand\n");
-    const auto again = parse_take_beats(text, "x");
-    ASSERT_TRUE(again);
-    EXPECT_EQ(grids_of(*again), grids);
-}
-
-TEST(TakeGrid, behind_the_clip_is_refused_with_the_place) {
-    const TakeGrid grid{"dance", {{1.0, 1, true}, {2.5, 2, true}}};
-    EXPECT_TRUE(check_grid(grid, 2.5));
-    const auto refused = check_grid(grid, 2.0);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "dance: beat 2 lies at 2.500 s, the clip ends at 2.000 s");
 }
 
 }  // namespace
