@@ -147,7 +147,7 @@ TEST_F(GridWindow, what_is_not_saved_is_asked_about_once) {
 
 TEST_F(GridWindow, what_cannot_be_set_right_is_said_in_one_line) {
     const std::vector<std::string> words = {
-        "stick", path("mine.bvh"), "--counts", path("beats.tsv"), "--edit"};
+        "stick", path("mine.bvh"), "--unit", "cm", "--counts", path("beats.tsv"), "--edit"};
     expect_one_line(words, 1, "--strips FOLDER");
     ASSERT_TRUE(write_file(folder_ / "beats.tsv", "take\ttime\thalf\tused\nmine\t99\t1\t1\n"));
     expect_one_line(words, 1, "beat 1 lies at 99.000 s, the clip ends at");
