@@ -17,7 +17,7 @@ constexpr double kHeldLikely = 8.0;  // seconds that the even distribution count
 void EnergyRange::hear(float energy) noexcept RAKS_NONBLOCKING {
     const auto hop = static_cast<float>(to_seconds(kHop));
     const auto at = static_cast<std::size_t>(
-        std::clamp(energy, 0.0F, 1.0F) * static_cast<float>(kBins - 1) + 0.5F);
+        std::lround(std::clamp(energy, 0.0F, 1.0F) * static_cast<float>(kBins - 1)));
     const float stays = 1.0F - hop / kFades;
     for (float& each : seconds_) {
         each *= stays;
