@@ -117,7 +117,7 @@ TEST(CellListener, tells_the_bars_of_a_known_song) {
         if (hop % 200 > 50) {
             ASSERT_TRUE(asked.song) << hop;
             EXPECT_EQ(asked.song->bar, hop / 200);
-            EXPECT_EQ(asked.song->begins, 4.0 * (hop / 200));
+            EXPECT_EQ(asked.song->begins, 4.0 * asked.song->bar);
             EXPECT_EQ(asked.song->beats, 4);
             EXPECT_EQ(asked.song->repeats[0], hop / 200 - 3);
         }

@@ -19,7 +19,8 @@ SongBars bars(int bar, double begins) {
 TEST(CellRows, give_a_bar_that_repeats_an_earlier_one_its_steps) {
     CellRows rows;
     for (int beat = 0; beat < 16; ++beat) {
-        const SongBars song = bars(beat / 4, 4.0 * (beat / 4));
+        const int bar = beat / 4;
+        const SongBars song = bars(bar, 4.0 * bar);
         rows.note(step(beat), beat, &song);
     }
     // Later, and after the phase was set back by a beat: bar 9 begins at 35 and repeats bar 2.
