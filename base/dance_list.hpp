@@ -42,6 +42,7 @@ struct DanceInfo {
     /// or not known. Here the root mean square, below the 99.9th percentile.
     std::array<double, 2> people_jerk_rms{};
     std::array<double, 2> people_jerk_p999{};  ///< 99.9th percentile
+    bool is_fallback = false;  ///< danced to music of none of the dances, if nobody says otherwise
     /// Extent of the trials in `raks eval dance`.
     enum class Trials : std::uint8_t { brief, full };
     Trials trials = Trials::brief;  ///< how thoroughly `raks eval dance` tests it
@@ -91,7 +92,7 @@ struct DancesFile {
 
 /// Reads TOML: format = "raks-dances", version = 1, pair = ["A", "B"] and for each dance a
 /// [[dance]] with name, title, beats_per_bar (2 to 12), tempo = [lowest, highest] and likely_tempo
-/// (20 to 400 BPM), roles (1 or 2), style, labels, trials ("brief" or
+/// (20 to 400 BPM), roles (1 or 2), style, labels, fallback (true or false), trials ("brief" or
 /// "full"), people_jerk_rms and people_jerk_p999 = [lead, follow]; or with extends = "DANCE".
 /// `styles`: the names that `style` may have; empty: any.
 /// Errors, one line with file and line: not TOML, another format, a newer version, unknown keys, a

@@ -76,7 +76,7 @@ class DancesReader {
             complaints_.complain(node, "a dance must be a [[dance]] table");
             return dance;
         }
-        constexpr std::array<std::string_view, 12> kKeys = {"name",
+        constexpr std::array<std::string_view, 13> kKeys = {"name",
                                                             "title",
                                                             "beats_per_bar",
                                                             "tempo",
@@ -85,6 +85,7 @@ class DancesReader {
                                                             "style",
                                                             "labels",
                                                             "trials",
+                                                            "fallback",
                                                             "people_jerk_rms",
                                                             "people_jerk_p999",
                                                             "extends"};
@@ -109,6 +110,12 @@ class DancesReader {
         read_tempi(*table, dance);
         read_jerk(*table, "people_jerk_rms", dance.people_jerk_rms);
         read_jerk(*table, "people_jerk_p999", dance.people_jerk_p999);
+        if (const toml::node* const fallback = table->get("fallback"); fallback != nullptr) {
+            if (!fallback->is_boolean()) {
+                complaints_.complain(*fallback, "fallback must be true or false");
+            }
+            dance.is_fallback = fallback->value_or(false);
+        }
         // Before it is compared, because an empty text stands for a missing key.
         const std::string trials = complaints_.text(*table, "trials");
         if (!trials.empty() && trials != "brief" && trials != "full") {
@@ -231,6 +238,9 @@ std::string dance_text(const DanceInfo& dance) {
     }
     if (!dance.labels.empty()) {
         text += fmt::format("labels = {}\n", list_text(dance.labels));
+    }
+    if (dance.is_fallback) {
+        text += "fallback = true\n";
     }
     if (dance.trials == DanceInfo::Trials::full) {
         text += "trials = \"full\"\n";

@@ -14,6 +14,7 @@ licence='CC BY 4.0 (https://creativecommons.org/licenses/by/4.0/): g1-moves by M
 M. Maguire and Jasmine Coro (https://github.com/experientialtech/g1-moves).
 Changed: cut, mirrored, learnt as states.'
 for table in "$root"/config/takes/*.tsv; do
-    "$raks" train take "$1" --counts "$table" --dance "$(basename "$table" .tsv)" \
+    # The motion passed over a robot, whose home pose the arms have in a tenth to a quarter of it.
+    "$raks" train take "$1" --counts "$table" --dance "$(basename "$table" .tsv)" --lay-arms \
         --licence "${licence//$'\n'/ }" -o "${2:-$root/models/trained}"
 done

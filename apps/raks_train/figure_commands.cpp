@@ -89,6 +89,10 @@ void add_train_take(CommandTable& table) {
         ->needs(music);
     app->add_option("--dance", a->dance, "its name, where -o is a folder");
     app->add_option("--without", a->without, "takes of the table that are left out");
+    app->add_flag("--lay-arms",
+                  a->lays_arms,
+                  "where arms hang in a robot's home pose, give them those of other beats of the "
+                  "take, in place of leaving such beats out");
     app->add_option("--licence", a->licence, "of the takes, and who made them");
     add_body_options(*app, a->body);
     app->add_option("-o,--out", a->output, "NAME of a dance to install it as, or a folder");

@@ -64,6 +64,7 @@ struct TrainTakeArguments {
     std::vector<Path> clips;           ///< motion files, or a folder of them
     Path counts;                       ///< .tsv: take, time, half, used
     std::vector<std::string> without;  ///< takes of the table that are left out
+    bool lays_arms = false;            ///< over a robot's home pose, in place of leaving it out
     std::string dance;                 ///< its name, where `output` is a folder
     std::string licence;               ///< of the takes, and who made them
     BodyArguments body;                ///< how bodies lie in the clips' files

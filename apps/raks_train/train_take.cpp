@@ -31,6 +31,9 @@ std::string said_of(const motion::TakeUse& use) {
             before = ", ";
         }
     }
+    if (use.laid > 0) {
+        text += fmt::format("; {} were given arms of other beats", use.laid);
+    }
     return text;
 }
 
@@ -123,6 +126,7 @@ ExitCode train_take(const TrainTakeArguments& arguments) {
     plan.clips = arguments.clips;
     plan.beats = *beats;
     plan.without = arguments.without;
+    plan.lays_arms = arguments.lays_arms;
     plan.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     plan.dance = destination->name.empty() ? arguments.dance : destination->name;
     if (!is_dance_name(plan.dance)) {

@@ -46,11 +46,7 @@ Expected<void> check_dances(const Settings& settings, const DanceList& dances) {
     if (auto checked = check_name(settings.dance, dances, {kAuto}); !checked) {
         return checked;
     }
-    // The default is a shipped dance; where somebody's dances are used alone, it is not missed.
-    if (settings.fallback_dance == Settings().fallback_dance) {
-        return {};
-    }
-    return check_name(settings.fallback_dance, dances, {kFirst, kKeep, kStand});
+    return check_name(settings.fallback_dance, dances, {kAuto, kFirst, kKeep, kStand});
 }
 
 Expected<void> check_dances(const Settings& settings, const DanceCatalogue& catalogue) {
@@ -85,11 +81,15 @@ std::string dance_to_load(const Settings& settings, const DanceCatalogue& catalo
         return settings.dance;
     }
     const DanceForm form = form_of(settings);
-    const CatalogueEntry* const fallback = catalogue.find(settings.fallback_dance);
+    const auto& all = catalogue.entries();
+    const auto meant = std::find_if(all.begin(), all.end(), [&](const CatalogueEntry& entry) {
+        return settings.fallback_dance == kAuto ? entry.info.is_fallback
+                                                : entry.info.name == settings.fallback_dance;
+    });
+    const CatalogueEntry* const fallback = meant != all.end() ? &*meant : nullptr;
     if (fallback != nullptr && is_for(*fallback, form)) {
         return fallback->info.name;
     }
-    const auto& all = catalogue.entries();
     const auto first = std::find_if(
         all.begin(), all.end(), [&](const CatalogueEntry& entry) { return is_for(entry, form); });
     return first != all.end()    ? first->info.name

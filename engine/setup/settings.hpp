@@ -27,7 +27,7 @@ struct Settings {
     double volume = 1.0;                ///< [0, 2]
     // [dance]
     std::string dance = "auto";              ///< a dance's name, or auto: as recognised
-    std::string fallback_dance = "disco";    ///< when nothing is recognised; or first, keep, stand
+    std::string fallback_dance = "auto";     ///< when nothing is recognised; or first, keep, stand
     std::string figures = "angles";          ///< learnt as angles or positions of the joints
     std::string material = "people";         ///< of a dance with both; or written, both
     std::string formation = "solo";          ///< solo, couple, unison, canon, free, grid, ring or v

@@ -68,11 +68,13 @@ const std::array kRows = std::to_array<SettingRow>({
     {.section = "dance",
      .name = "fallback_dance",
      .field = &Settings::fallback_dance,
-     .help = "danced when nothing is recognised: a dance, keep (the dance that is on) or stand",
+     .help =
+         "danced when nothing is recognised: a dance, auto, keep (the dance that is on) or stand",
      .manual =
-         "danced when nothing is recognised: a dance (to a tempo that is neither its own nor half "
-         "or twice of it: the dance of the nearest tempo), `first` (the list's first), `keep` "
-         "(the one that is on), `stand`"},
+         "danced when nothing is recognised: a dance, `auto` (the one that the list of dances "
+         "has for it), `first` (the list's first), `keep` (the one that is on), `stand`; to "
+         "a tempo that is neither the dance's nor half or twice of it, the dance of the nearest "
+         "tempo"},
     {.section = "dance",
      .name = "figures",
      .field = &Settings::figures,

@@ -27,9 +27,10 @@ inline constexpr int kMostTakeBeats = 4096;
 struct Cell {
     std::uint16_t take = 0;  ///< index in CellGraph::takes
     std::uint16_t beat = 0;  ///< it lasts from this beat of the take to the next one
-    float energy = 0.0F;     ///< mean speed of the joints about the hips, metres a second
-    float turn = 0.0F;       ///< of the hips over the cell, radians; positive to the left
-    glm::vec2 way{};         ///< of the hips, left and forward of where it starts; metres
+    /// Mean speed of the joints about the hips where the beat lasts as long as the dance's; m/s.
+    float energy = 0.0F;
+    float turn = 0.0F;  ///< of the hips over the cell, radians; positive to the left
+    glm::vec2 way{};    ///< of the hips, left and forward of where it starts; metres
     /// Of the joints about the hips as it ends, mean over an eighth of a second; metres a second
     float speed_at_end = 0.0F;
     /// By Side: when the foot lands next to the cell's first beat, in beats from it; [-0.5, 0.5).

@@ -67,6 +67,7 @@ TEST(DanceList, what_is_written_reads_back) {
     ASSERT_TRUE(file) << file.error().message;
     file->dances[0].title = "\"Tango\" \\ argentino";
     file->dances[0].trials = DanceInfo::Trials::full;
+    file->dances[0].is_fallback = true;
     file->dances[0].people_jerk_rms = {41.5, 33.25};
     file->dances[0].people_jerk_p999 = {180.0, 150.5};
     const std::string text = dances_text(*file);
@@ -74,6 +75,8 @@ TEST(DanceList, what_is_written_reads_back) {
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(dances_text(*again), text);
     EXPECT_EQ(again->dances[0].title, file->dances[0].title);
+    EXPECT_TRUE(again->dances[0].is_fallback);
+    EXPECT_FALSE(DanceInfo().is_fallback);
     EXPECT_EQ(again->dances[0].people_jerk_rms, file->dances[0].people_jerk_rms);
     EXPECT_EQ(again->dances[0].people_jerk_p999, file->dances[0].people_jerk_p999);
 }

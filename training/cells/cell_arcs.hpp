@@ -22,7 +22,7 @@ struct CellSource {
 /// How cells are joined.
 struct ArcOptions {
     double farthest = 18.0;      ///< distance() of an arc, centimetres
-    double widest = 24.0;        ///< of one without which cells would hang together with nothing
+    double widest = 28.0;        ///< of one without which cells would hang together with nothing
     std::size_t most_arcs = 48;  ///< of one cell; the nearest stay
     int threads = 1;             ///< the result is the same for any number
 };

@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
 #include "training/cells/cell_reach.hpp"
+#include "training/cells/laid_arms.hpp"
 #include "training/cells/prepared_take.hpp"
 #include "training/cells/state_ties.hpp"
 #include "training/figures/figure_trainer.hpp"
@@ -143,6 +144,7 @@ struct LearntTake {
     TakeCut cut;
     std::vector<FigureModel> models;  // by stretch
     std::vector<double> jerks;
+    std::size_t laid = 0;  // beats that were given other arms
     std::vector<std::string> warnings;
 };
 
@@ -154,11 +156,15 @@ Expected<LearntTake> learn_take(const TakeReader& reader,
                                 const TakeBeats& own,
                                 const CellTrainingPlan& plan) {
     LearntTake learnt;
-    const auto take = reader(own.take, learnt.warnings);
+    auto take = reader(own.take, learnt.warnings);
     if (!take) {
-        return fail(take.error());
+        return fail(std::move(take.error()));
     }
     auto cut = cut_take(*take, own.beats);
+    if (cut && plan.lays_arms) {
+        learnt.laid = lay_arms(*take, own.beats, cut->fates);
+        cut = cut_take(*take, own.beats);
+    }
     if (!cut) {
         return fail(std::move(cut.error()));
     }
@@ -243,7 +249,7 @@ class CellTraining {
 
     // Puts a take's cells and chains behind those of the takes before it.
     void add(const TakeBeats& own, LearntTake&& learnt) {
-        TakeUse& use = report_.takes.emplace_back(TakeUse{own.take, {}});
+        TakeUse& use = report_.takes.emplace_back(TakeUse{own.take, {}, learnt.laid});
         learnt.cut.fates.resize(own.beats.size(), BeatFate::unused);
         for (const BeatFate fate : learnt.cut.fates) {
             ++use.beats[static_cast<std::size_t>(fate)];
@@ -252,7 +258,7 @@ class CellTraining {
         for (CellSource& source : learnt.cut.cells) {
             const TakeStretch& stretch = learnt.cut.stretches[source.cell.take];
             const std::size_t beat = stretch.first + source.cell.beat - 1;
-            seconds_ += own.beats[beat + 1].time - own.beats[beat].time;
+            lengths_.push_back(own.beats[beat + 1].time - own.beats[beat].time);
             source.cell.take = static_cast<std::uint16_t>(source.cell.take + first);
             cells_.push_back(source);
             origins_.push_back(report_.takes.size() - 1);
@@ -300,6 +306,12 @@ class CellTraining {
 
     // Joins the cells, keeps what hangs together, and learns repeats among it as one.
     void join() {
+        const double beat_seconds = std::accumulate(lengths_.begin(), lengths_.end(), 0.0) /
+                                    static_cast<double>(lengths_.size());
+        // At the dance's tempo a long cell is danced faster than in its take.
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            cells_[i].cell.energy *= static_cast<float>(lengths_[i] / beat_seconds);
+        }
         ArcOptions arcs = plan_.arcs;
         arcs.threads = plan_.threads;
         JoinedCells joined = join_cells(cells_, arcs);
@@ -326,7 +338,7 @@ class CellTraining {
         report_.has_rests = reached.has_rests;
         report_.has_endings = reached.has_endings;
         report_.dance.graph = std::move(reached.graph);
-        report_.dance.graph.beat_seconds = seconds_ / static_cast<double>(cells_.size());
+        report_.dance.graph.beat_seconds = beat_seconds;
     }
 
     void drop_takes_without_cells() {
@@ -356,7 +368,7 @@ class CellTraining {
     std::vector<CellSource> cells_;
     std::vector<std::size_t> origins_;  // by cell: index in the report's takes
     std::vector<double> jerks_;
-    double seconds_ = 0.0;  // of the cells
+    std::vector<double> lengths_;  // by cell, seconds
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct CellTrainingPlan {
     ClipUnits units;                           ///< of the clips
     ArcOptions arcs;                           ///< how cells are joined
     TieOptions ties;                           ///< what is learnt as repeats
+    bool lays_arms = false;                    ///< lay_arms() in place of BeatFate::home
     int threads = 1;  ///< takes at once, each 5 kB a frame; the result is the same for any number
 };
 
@@ -36,6 +37,7 @@ struct CellTrainingPlan {
 struct TakeUse {
     std::string take;                           ///< the clip's name
     std::array<std::size_t, kBeatFates> beats;  ///< of the table, by BeatFate
+    std::size_t laid = 0;                       ///< beats that were given other arms: lay_arms()
 
     /// Beats that met this fate.
     [[nodiscard]] std::size_t count(BeatFate fate) const noexcept {

@@ -58,18 +58,24 @@ Expected<PreparedTake> prepare_take(TrainingClip clip) {
     const std::vector<Pose> captured = of_common_height(take.clip.poses, take.clip.hips_height);
     spread_trunk(take.clip.poses);
     roll_heels(mannequin_skeleton(), take.clip.feet, take.clip.poses);
+    for (const Side side : kSides) {
+        take.landings[static_cast<std::size_t>(side)] = landings(take.clip.feet, side, rate);
+    }
+    measure_moments(take);
+    take.postures = postures_of(take.moments, captured, rate);
+    return take;
+}
+
+void measure_moments(PreparedTake& take) {
+    const double rate = take.clip.frames_per_second;
     const std::vector<Pose> smooth =
         filtered(of_common_height(take.clip.poses, take.clip.hips_height),
                  low_pass_taps(kTakeLowPassHz, rate));
     std::array<std::vector<bool>, 2> planted;
     for (const Side side : kSides) {
-        const auto s = static_cast<std::size_t>(side);
-        planted[s] = toe_contacts(take.clip.feet, side, rate);
-        take.landings[s] = landings(take.clip.feet, side, rate);
+        planted[static_cast<std::size_t>(side)] = toe_contacts(take.clip.feet, side, rate);
     }
     take.moments = moments_of(smooth, rate, mannequin_skeleton(), planted);
-    take.postures = postures_of(take.moments, captured, rate);
-    return take;
 }
 
 Expected<PreparedTake> prepare_take(const std::filesystem::path& path,

@@ -37,6 +37,9 @@ inline constexpr double kTakeLowPassHz = 10.0;
 /// The same of a clip that is there.
 [[nodiscard]] Expected<PreparedTake> prepare_take(TrainingClip clip);
 
+/// Measures the moments anew, after the poses were changed. Threads: workers. Real-time: no.
+void measure_moments(PreparedTake& take);
+
 /// Jerk of the frames that count, joint by joint and frame by frame as jerk_of() has it, m/s^3: of
 /// the captured motion on a body of the built-in one's height, at 60 frames a second. `counted`: by
 /// frame of the clip. Empty for a clip of fewer than 50 frames a second, whose jerk nobody knows.
