@@ -63,9 +63,8 @@ Expected<std::vector<DanceTask>> tasks_of(const DanceSetup& setup,
         if (settings.dance != "auto" && settings.dance != dance.name) {
             continue;
         }
-        auto figures = engine::trained_figures(*setup.catalogue.find(dance.name),
-                                               motion::DanceRole::lead,
-                                               engine::form_of(settings).features);
+        auto figures = engine::trained_figures(
+            *setup.catalogue.find(dance.name), motion::DanceRole::lead, engine::form_of(settings));
         if (!figures) {
             return fail(std::move(figures.error()));
         }

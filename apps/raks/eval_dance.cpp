@@ -259,8 +259,8 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
                             engine::form_of(arguments.settings),
                             engine::dynamics_of(arguments.settings)};
     // The trained figures say where each step lands: trials and takes are measured against them.
-    const auto figures = engine::trained_figures(
-        *setup->catalogue.find(report.dance.name), report.role, measured.form.features);
+    const engine::CatalogueEntry& entry = *setup->catalogue.find(report.dance.name);
+    const auto figures = engine::trained_figures(entry, report.role, measured.form);
     if (!figures) {
         return fail(figures.error());
     }
@@ -272,9 +272,8 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     if (!cast) {
         return fail(cast.error());
     }
-    const engine::CatalogueEntry& entry = *setup->catalogue.find(report.dance.name);
-    cast->landings = engine::judged_landings(entry);
-    report.is_of_cells = engine::is_of_cells(entry);
+    report.is_of_cells = engine::is_of_cells(entry, report.role, measured.form);
+    cast->landings = engine::judged_landings(report.is_of_cells);
     // Clips before trials: a fault in them should not cost the minute that the trials take.
     auto people = people_of(arguments, report.role, *figures);
     if (!people) {
@@ -282,7 +281,7 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
     }
     report.people = std::move(*people);
     // The figures by themselves are not of the dynamics.
-    if (arguments.trials.empty() || !trials->empty()) {
+    if (!report.is_of_cells && (arguments.trials.empty() || !trials->empty())) {
         auto written = written_of(measured);
         if (!written) {
             return fail(written.error());

@@ -17,10 +17,6 @@ constexpr double kFarFromBeat = 0.15;  // beats
 
 }  // namespace
 
-bool is_of_cells(const CatalogueEntry& dance) {
-    return is_there(cells_path(dance.folder, dance.info.name));
-}
-
 std::vector<motion::FigureModel> takes_of(motion::CellDance dance) {
     const int repeats = motion::JudgedLandings().least_repeats;
     for (motion::FigureModel& take : dance.takes) {
@@ -40,9 +36,9 @@ std::vector<motion::FigureModel> takes_of(motion::CellDance dance) {
     return std::move(dance.takes);
 }
 
-motion::JudgedLandings judged_landings(const CatalogueEntry& dance) {
+motion::JudgedLandings judged_landings(bool is_of_cells) {
     motion::JudgedLandings judged;
-    if (is_of_cells(dance)) {
+    if (is_of_cells) {
         judged.farthest = kFarFromBeat;
     }
     return judged;
@@ -50,8 +46,8 @@ motion::JudgedLandings judged_landings(const CatalogueEntry& dance) {
 
 Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry& dance,
                                                            motion::DanceRole role,
-                                                           motion::FigureFeatures features) {
-    if (is_of_cells(dance)) {
+                                                           const DanceForm& form) {
+    if (is_of_cells(dance, role, form)) {
         if (role == motion::DanceRole::follow) {
             return fail(dance.info.name + " is danced alone");
         }
@@ -66,7 +62,7 @@ Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry&
     // end.
     const std::string end =
         "_" + role_name +
-        (features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
+        (form.features == motion::FigureFeatures::positions ? "_positions.json" : ".json");
     auto files = list_folder(dance.folder);
     if (!files) {
         return fail(std::move(files.error()));
