@@ -261,14 +261,21 @@ TEST_F(CellDances, are_not_begun_with_where_they_cannot_be_what_is_asked_for) {
     settings.generator = "frames";
     EXPECT_NE(dance_to_load(settings, *catalogue), "mine");
     EXPECT_FALSE(has(other_dances_to_load(settings, *catalogue), "mine"));
-    const std::string line =
-        "material: mine is left out: takes of people are not of --generator frames";
-    EXPECT_EQ(material_notes(settings, *catalogue), std::vector<std::string>{line});
+    const auto said_of_mine = [&] {
+        std::string said;
+        for (const std::string& note : material_notes(settings, *catalogue)) {
+            said += note.find("mine") != std::string::npos ? note : "";
+        }
+        return said;
+    };
+    EXPECT_NE(said_of_mine().find("left out: takes of people are not of --generator frames"),
+              std::string::npos)
+        << said_of_mine();
     settings.generator = "trajectories";
     settings.formation = "couple";
     EXPECT_EQ(catalogue->find(dance_to_load(settings, *catalogue))->info.roles, 2);
     EXPECT_FALSE(has(other_dances_to_load(settings, *catalogue), "mine"));
-    EXPECT_TRUE(material_notes(settings, *catalogue).empty());
+    EXPECT_EQ(said_of_mine(), "");
     // Who names it is told why not.
     settings.dance = "mine";
     EXPECT_EQ(dance_to_load(settings, *catalogue), "mine");
