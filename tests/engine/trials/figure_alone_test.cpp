@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "engine/setup/dance_files.hpp"
 #include "tests/engine/installed.hpp"
@@ -16,11 +18,19 @@
 namespace raks::engine {
 namespace {
 
+/// A dance of its written figures, also where takes of people are danced otherwise.
+Expected<std::shared_ptr<const motion::DanceLibrary>> written_library(std::string_view dance) {
+    DanceForm form;
+    form.material = Material::written;
+    return load_dance(
+        installed::dances(), dance, motion::mannequin_skeleton(), motion::DanceRole::lead, form);
+}
+
 TEST(WrittenFigures, dance_as_their_files_expect) {
     std::size_t figures = 0;
     for (const auto& file : test::written_dances()) {
         const std::string dance = file.stem();
-        const auto library = load_dance(installed::dances(), dance, motion::mannequin_skeleton());
+        const auto library = written_library(dance);
         ASSERT_TRUE(library) << library.error().message;
         const auto danced = danced_written_figures(dance, *library, motion::mannequin_skeleton());
         ASSERT_TRUE(danced) << danced.error().message;
@@ -40,7 +50,7 @@ TEST(WrittenFigures, dance_as_their_files_expect) {
 
 /// Two repeats of a figure, 16 poses a beat.
 std::vector<motion::WorldPose> danced_at(const char* dance, std::string_view figure, double bpm) {
-    const auto library = load_dance(installed::dances(), dance, motion::mannequin_skeleton());
+    const auto library = written_library(dance);
     std::vector<motion::WorldPose> poses;
     if (!library) {
         ADD_FAILURE() << library.error().message;
