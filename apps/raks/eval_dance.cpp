@@ -239,6 +239,8 @@ ExitCode eval_against(EvalDanceArguments& arguments) {
 
 ExitCode eval_dance(const EvalDanceArguments& given) {
     EvalDanceArguments arguments = given;
+    // No music is unknown here: without a dance the list's first is measured.
+    arguments.settings.fallback_dance = "first";
     if (!arguments.against.empty()) {
         return eval_against(arguments);
     }

@@ -347,7 +347,8 @@ TEST_F(BadInput, a_model_of_another_version_or_with_nan_is_refused) {
         ASSERT_NE(at, std::string::npos) << from;
         changed.replace(at, std::string(from).size(), to);
         ASSERT_TRUE(write_file(trained / "salsa_basic_lead.json", changed));
-        ProcessPlan with_data = plan({"dance", path("music.wav"), "-o", path("x.bvh")});
+        ProcessPlan with_data =
+            plan({"dance", path("music.wav"), "--dance", "salsa", "-o", path("x.bvh")});
         with_data.environment.emplace_back("RAKS_DATA", (folder_ / "data").string());
         const ProcessResult result = run_process(with_data);
         EXPECT_EQ(result.exit_code, 1) << to;
