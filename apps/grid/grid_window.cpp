@@ -26,18 +26,6 @@
 namespace raks::apps {
 namespace {
 
-/// The rectangle of the window that a box of units is.
-render::FrameTarget target_in(const render::Box& box, const render::PaneFrame& frame) {
-    const auto pixels = [&frame](float units) {
-        return static_cast<int>(std::lround(units * frame.pen.unit()));
-    };
-    return {.framebuffer = 0,
-            .x = pixels(box.x),
-            .y = pixels(frame.area.height) - pixels(box.bottom()),
-            .width = pixels(box.right()) - pixels(box.x),
-            .height = pixels(box.bottom()) - pixels(box.y)};
-}
-
 /// A body beside the large one as it was drawn last.
 struct DrawnStill {
     double time = 0.0;
@@ -164,10 +152,10 @@ class GridContent : public render::PaneContent {
         for (std::size_t place = 0; place < stills.size(); ++place) {
             if (stills[place]) {
                 view_.stills[place] = still(
-                    stills_[place], target_in(layout.stills[place], frame), stills[place]->time);
+                    stills_[place], frame.target_of(layout.stills[place]), stills[place]->time);
             }
         }
-        draw_body(view_.now, 4.4F, target_in(layout.figure, frame));
+        draw_body(view_.now, 4.4F, frame.target_of(layout.figure));
     }
 
     // The picture of a moment in a place, drawn where it is another one than before.

@@ -310,6 +310,11 @@ ExitCode eval_dance(const EvalDanceArguments& given) {
         }
         report.dynamics = std::move(*dynamics);
     }
+    if (report.is_of_cells && report.dynamics) {
+        // A take may be taken up at any of its beats.
+        report.dynamics->known.first_count_off.reset();
+        report.dynamics->live.first_count_off.reset();
+    }
     if (arguments.as_json) {
         print_json(to_json(report));
     } else {

@@ -34,18 +34,6 @@ std::vector<render::BoneLabel> labels_of(const ShownModel& model) {
     return model.labels ? model.labels->bones : std::vector<render::BoneLabel>();
 }
 
-/// The rectangle of the window that a box of units is.
-render::FrameTarget target_of(const render::Box& box, const render::PaneFrame& frame) {
-    const auto pixels = [&frame](float units) {
-        return static_cast<int>(std::lround(units * frame.pen.unit()));
-    };
-    return {.framebuffer = 0,
-            .x = pixels(box.x),
-            .y = pixels(frame.area.height) - pixels(box.bottom()),
-            .width = pixels(box.right()) - pixels(box.x),
-            .height = pixels(box.bottom()) - pixels(box.y)};
-}
-
 /// Lets a driver finish shaders before a model is there, and opens the loudspeaker.
 FileArrival::Preparation preparation_of(const XbodyStage& stage) {
     return [quality = stage.quality()](DroppedFiles& files) {
@@ -184,7 +172,7 @@ void XbodyContent::draw_model(const render::PaneFrame& frame, const render::Box&
         session_.message = drawn.error().message;
     }
     stage_.show(session_.transport.frame(), session_.tuning);
-    stage_.draw(session_.camera, session_.is_wireframe, target_of(box, frame));
+    stage_.draw(session_.camera, session_.is_wireframe, frame.target_of(box));
 }
 
 // A few pictures a frame, so that the window can be used meanwhile.

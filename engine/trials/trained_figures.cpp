@@ -11,35 +11,10 @@ namespace raks::engine {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr double kFarFromBeat = 0.15;  // beats
-
-}  // namespace
-
-std::vector<motion::FigureModel> takes_of(motion::CellDance dance) {
-    const int repeats = motion::JudgedLandings().least_repeats;
-    for (motion::FigureModel& take : dance.takes) {
-        take.repeats = repeats;
-        for (auto& landings : take.landings) {
-            landings.assign(static_cast<std::size_t>(take.beats), {});
-        }
-    }
-    for (const motion::Cell& cell : dance.graph.cells) {
-        for (std::size_t side = 0; side < cell.landings.size(); ++side) {
-            if (cell.landings[side] != motion::Cell::kNoLanding) {
-                dance.takes[cell.take].landings[side][cell.beat] = {
-                    repeats, Beats(static_cast<double>(cell.landings[side])), Beats(0.0)};
-            }
-        }
-    }
-    return std::move(dance.takes);
-}
-
 motion::JudgedLandings judged_landings(bool is_of_cells) {
     motion::JudgedLandings judged;
     if (is_of_cells) {
-        judged.farthest = kFarFromBeat;
+        judged.farthest = motion::kFarLanding;
     }
     return judged;
 }
@@ -55,7 +30,7 @@ Expected<std::vector<motion::FigureModel>> trained_figures(const CatalogueEntry&
         if (!cells) {
             return fail(std::move(cells.error()));
         }
-        return takes_of(std::move(*cells));
+        return std::move(cells->takes);
     }
     const std::string role_name(motion::kRoleNames[static_cast<std::size_t>(role)]);
     // "_lead.json" does not match "..._lead_positions.json": the two kinds are told apart by the

@@ -52,6 +52,26 @@ void sort_energies(CellGraph& graph) {
     }
 }
 
+void give_landings(CellDance& dance) {
+    // Of figures, only landings that so many repeats share are aimed at. What one dancer did once
+    // is what a take shall do.
+    constexpr int kShared = 3;
+    for (FigureModel& take : dance.takes) {
+        take.repeats = kShared;
+        for (auto& landings : take.landings) {
+            landings.assign(static_cast<std::size_t>(take.beats), {});
+        }
+    }
+    for (const Cell& cell : dance.graph.cells) {
+        for (std::size_t side = 0; side < cell.landings.size(); ++side) {
+            if (cell.landings[side] != Cell::kNoLanding) {
+                dance.takes[cell.take].landings[side][cell.beat] = {
+                    kShared, Beats(static_cast<double>(cell.landings[side])), Beats(0.0)};
+            }
+        }
+    }
+}
+
 Expected<void> validate(const CellGraph& graph) {
     if (graph.cells.empty() || graph.cells.size() > kMostCells || graph.takes.empty()) {
         return fail(

@@ -84,6 +84,12 @@ struct CellDance {
     CellGraph graph;                 ///< of the same takes
 };
 
+/// Gives the takes the landings of their cells, as figures have theirs: contacts begin there, and a
+/// dance is judged by them. Threads: any. Real-time: no.
+void give_landings(CellDance& dance);
+
+/// Beats from a beat beyond which a landing is not on it.
+inline constexpr double kFarLanding = 0.15;
 /// States a beat of a take.
 inline constexpr int kStatesPerBeat = 8;
 /// Samples a beat of a take's phase.

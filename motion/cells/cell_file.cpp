@@ -183,7 +183,7 @@ FigureModel take_take(const CellDance& dance, Unpacker& unpacker) {
         }
     }
     for (auto& landings : take.landings) {
-        landings.resize(static_cast<std::size_t>(take.beats));
+        landings.resize(static_cast<std::size_t>(take.beats));  // see give_landings()
     }
     for (const Part which : kParts) {
         take.parts.push_back(take_part(which, take.beats, unpacker));
@@ -336,6 +336,7 @@ Expected<CellDance> parse_cells(std::string_view bytes, const std::string& name)
         return fail(name + ": is damaged or cut off");
     }
     dance.graph = std::move(*graph);
+    give_landings(dance);
     return dance;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "motion/dance/baking/landing_delay.hpp"
 #include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/body/floor_move.hpp"
 #include "motion/dance/body/hands.hpp"
@@ -14,9 +15,11 @@ namespace raks::motion {
 namespace {
 
 constexpr std::size_t kTakeWorkers = 2;  // threads that solve takes
+constexpr int kAims = 2;                 // passes of landing correction for each take
+constexpr double kReach = 0.25;          // beats; people step twice a beat
 
-// One take as it was danced, from its states alone, with planted feet. Takes last minutes: they are
-// kept small.
+// One take as it was danced, from its states alone, with feet that are planted when the dancer's
+// came down. Takes last minutes: they are kept small.
 FigurePassage passage_of(const FigureModel& take, const Skeleton& skeleton) {
     FigureTracks tracks;
     for (const PartModel& part : take.parts) {
@@ -27,11 +30,16 @@ FigurePassage passage_of(const FigureModel& take, const Skeleton& skeleton) {
     way.turn = take.net_turn;
     way.move = {take.net_turn, take.net_displacement * scale};
     const FreeFigure steps = free_figure(take, tracks, way, skeleton);
-    Footing footing;
-    for (std::vector<LandingOffset>& landings : footing.landings) {
-        landings.resize(static_cast<std::size_t>(take.beats));
+    Footing footing{.places = {}, .landings = take.landings, .reach = kReach};
+    const auto planted = [&] {
+        return FigurePassage(take, steps, steps.poses, way, footing, nullptr, skeleton);
+    };
+    FigurePassage passage = planted();
+    for (int i = 0; i < kAims; ++i) {
+        aim_landings(take, passage, skeleton, 1.0, footing.landings);
+        passage = planted();
     }
-    return FigurePassage(take, steps, steps.poses, way, footing, nullptr, skeleton).compact();
+    return passage.compact();
 }
 
 /// Adds a rotation to a sum, on the side of what is there: q and -q are the same rotation.
@@ -86,7 +94,6 @@ Expected<DanceContent> make_cell_content(const CellDance& dance, const Skeleton&
     DanceContent content;
     content.skeleton = skeleton;
     relax_hands(content.rest);
-    content.cells = std::make_shared<const CellGraph>(dance.graph);
     content.metre = {Bpm::from_period(dance.graph.beat_seconds), 4};
     for (const FigureModel& take : dance.takes) {
         if (auto valid = validate(take); !valid) {
@@ -110,6 +117,7 @@ Expected<DanceContent> make_cell_content(const CellDance& dance, const Skeleton&
         figure.beats = dance.takes[i].beats;
         figure.learnt_tempo = dance.takes[i].learnt_tempo;
         figure.passages.push_back(std::move(*passages[i]));
+        figure.landing_delay = landing_delay(dance.takes[i], figure.passages.front(), skeleton);
         figure.middle = middle_of(figure.passages.front(), figure.beats, false, skeleton);
         content.figures.push_back(std::move(figure));
     }
@@ -117,6 +125,8 @@ Expected<DanceContent> make_cell_content(const CellDance& dance, const Skeleton&
     for (LibraryFigure& take : content.figures) {
         take.middle = middle;
     }
+    content.cells = std::make_shared<const CellGraph>(dance.graph);
+    content.stands = cell_stands(content);
     return content;
 }
 

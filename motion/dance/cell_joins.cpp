@@ -1,6 +1,7 @@
 // Where the pieces of a dance of cells are on the floor, and how one goes over into the next.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/smooth_steps.hpp"
 #include "motion/dance/baking/figure_size.hpp"
@@ -13,25 +14,18 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kJoin = 0.35;      // beats on either side of a join in which both are danced
-constexpr double kSample = 0.05;    // beats between looks at what stands
 constexpr double kNearJoin = 0.2;   // beats from a join within which a foot stands in both pieces
 constexpr float kFarApart = 0.10F;  // metres that a foot cannot stand aside from its piece
 constexpr float kSlidesUnseen = 0.01F;  // metres that a standing foot may go over unseen
 constexpr float kAddedLift = 0.04F;     // metres, at the middle of an added step
-constexpr double kLongestAside = 2.0;   // beats
 constexpr double kAddedStep = 0.4;      // beats
+constexpr double kShortestStep = 0.05;  // beats
 
 constexpr double kFacesUs = 0.5;    // radians from the audience that count as facing it
 constexpr double kTurnShare = 0.3;  // of what is beyond, made up at a join
 constexpr double kMostTurn = 0.12;  // radians, at a join
 
 glm::vec2 over_ground(const glm::vec3& place) noexcept { return {place.x, place.z}; }
-
-float foot_heading(const glm::quat& rotation) noexcept {
-    const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
-    return std::atan2(ahead.x, ahead.z);
-}
 
 // What the manner asks of a pose of takes: trunk, arms and height. Steps stay as long as they are,
 // since takes travel.
@@ -61,11 +55,8 @@ double CellSequence::shown(const Piece& piece, double phase) noexcept {
 
 Pose CellSequence::pose_of(const Piece& piece, double phase) const noexcept {
     const Cell& cell = content_->cells->cells[piece.first_cell];
-    FigureChoice choice;
-    choice.figure = cell.take;
-    choice.is_mirrored = piece.is_mirrored;
-    return piece.floor(
-        motion::pose_of(*content_, choice, cell.beat + shown(piece, phase) - piece.from));
+    const double beat = cell.beat + shown(piece, phase) - piece.from;
+    return piece.floor(take_pose(*content_, cell.take, beat, piece.is_mirrored));
 }
 
 // The pose of a piece with its feet where they still stand from the piece before.
@@ -106,40 +97,18 @@ Pose CellSequence::with_feet(const Piece& piece, double phase) const noexcept {
     return pose;
 }
 
-// When each foot stands last before the join, in beats from it; -kJoin: not since then.
-std::array<double, 2> CellSequence::stood_until(const Piece& before, double join) const noexcept {
-    std::array<double, 2> until{-kJoin, -kJoin};
-    for (double at = -kJoin; at <= 0.0; at += kSample) {
-        const Pose pose = pose_of(before, join + at);
-        for (std::size_t s = 0; s < until.size(); ++s) {
-            until[s] = pose.foot_contact[s] ? at : until[s];
-        }
+// When the feet stand about the end of a piece and about the beginning of the next one; a mirrored
+// piece stands with the other foot.
+CellSequence::JoinStands CellSequence::stands_at(const Piece& before,
+                                                 const Piece& after) const noexcept {
+    const CellStands& last = content_->stands[cell_of(before, after.from - 0.5)];
+    const CellStands& next = content_->stands[after.first_cell];
+    JoinStands stands{last.until, next.after};
+    if (before.is_mirrored) {
+        std::swap(stands.until[0], stands.until[1]);
     }
-    return until;
-}
-
-// When each foot stands first after the join, at most kJoin, then leaves and then stands again, at
-// most kLongestAside.
-std::array<CellSequence::Stand, 2> CellSequence::stands_from(const Piece& after) const noexcept {
-    std::array<Stand, 2> stands;
-    stands.fill({kJoin, kLongestAside, kLongestAside});
-    std::array<int, 2> found{};
-    for (double at = 0.0; at <= kLongestAside && found != std::array{3, 3};
-         at += at < kJoin ? kSample : 2.0 * kSample) {
-        const Pose pose = pose_of(after, after.from + at);
-        for (std::size_t s = 0; s < stands.size(); ++s) {
-            const bool is_down = pose.foot_contact[s];
-            if (found[s] == 0 && (is_down || at >= kJoin)) {
-                stands[s].from = std::min(at, kJoin);
-                found[s] = 1;
-            } else if (found[s] == 1 && !is_down) {
-                stands[s].leaves = at;
-                found[s] = 2;
-            } else if (found[s] == 2 && is_down) {
-                stands[s].lands = at;
-                found[s] = 3;
-            }
-        }
+    if (after.is_mirrored) {
+        std::swap(stands.after[0], stands.after[1]);
     }
     return stands;
 }
@@ -157,8 +126,7 @@ double CellSequence::turn_to_us(const Pose& pose) const noexcept {
 // others go over while they are in the air.
 void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
     const Skeleton& skeleton = content_->skeleton;
-    const std::array<double, 2> until = stood_until(before, after.from);
-    const std::array<Stand, 2> stands = stands_from(after);
+    const auto [until, stands] = stands_at(before, after);
     const Pose from = with_feet(before, after.from);
     after.floor = {};
     const Pose own = pose_of(after, after.from);
@@ -196,7 +164,7 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
         foot.yaw = static_cast<float>(std::remainder(
             foot_heading(stood[s].rotation) - foot_heading(stand[s].rotation), 2.0 * M_PI));
         foot.leaves = stands[s].leaves;
-        foot.lands = std::max(stands[s].lands, foot.leaves + kSample);
+        foot.lands = std::max(stands[s].lands, foot.leaves + kShortestStep);
         const float way = glm::length(foot.aside);
         // One foot after the other, or both would be in the air.
         const double first = side == Side::left ? 0.0 : kAddedStep;
@@ -204,8 +172,8 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
             foot.leaves = first - kAddedStep;
             foot.lands = first;
             foot.is_lifted = true;
-        } else if (foot.lands >= kLongestAside) {
-            foot.leaves = kJoin + first;
+        } else if (foot.lands >= kCellStep) {
+            foot.leaves = kCellJoin + first;
             foot.lands = foot.leaves + kAddedStep;
             foot.is_lifted = way > kSlidesUnseen;
         }
@@ -214,7 +182,7 @@ void CellSequence::lay(const Piece& before, Piece& after) const noexcept {
 
 Pose CellSequence::joined(const Piece& before, const Piece& after, double phase) const noexcept {
     const double at = phase - after.from;
-    const float share = smootherstep(static_cast<float>((at + kJoin) / (2.0 * kJoin)));
+    const float share = smootherstep(static_cast<float>((at + kCellJoin) / (2.0 * kCellJoin)));
     std::array<FootShare, 2> feet{};
     for (std::size_t s = 0; s < feet.size(); ++s) {
         const FootJoin& foot = after.feet[s];
@@ -237,10 +205,10 @@ Pose CellSequence::joined(const Piece& before, const Piece& after, double phase)
 
 Pose CellSequence::unsized(double phase) const noexcept {
     const std::size_t i = piece_at(phase);
-    if (i > 0 && phase < pieces_[i].from + kJoin) {
+    if (i > 0 && phase < pieces_[i].from + kCellJoin) {
         return joined(pieces_[i - 1], pieces_[i], phase);
     }
-    if (i + 1 < count_ && phase > pieces_[i + 1].from - kJoin) {
+    if (i + 1 < count_ && phase > pieces_[i + 1].from - kCellJoin) {
         return joined(pieces_[i], pieces_[i + 1], phase);
     }
     return with_feet(pieces_[i], phase);

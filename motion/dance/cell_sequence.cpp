@@ -59,6 +59,11 @@ void CellSequence::begin_with(const Piece& piece) noexcept {
     ++number_;
     last_ = {
         static_cast<std::uint16_t>(cell_of(piece, piece.until - 0.5)), piece.is_mirrored, false};
+    forget_choice();
+}
+
+void CellSequence::forget_choice() noexcept {
+    second_.reset();
     chooser_.forget_futures();
 }
 
@@ -141,7 +146,7 @@ void CellSequence::cut() noexcept {
     Piece& last = pieces_[count_ - 1];
     last.until = std::min(last.until, std::max(at, std::ceil(last.rest.to)));
     last_ = {static_cast<std::uint16_t>(cell_of(last, last.until - 0.5)), last.is_mirrored, false};
-    chooser_.forget_futures();
+    forget_choice();
 }
 
 void CellSequence::advance(Beats phase,
@@ -162,6 +167,12 @@ void CellSequence::advance(Beats phase,
         present_ -= gone;
     }
     take_wishes(music, wish);
+    if (second_) {
+        const CellStep step = *second_;
+        second_.reset();
+        append(step, music);
+        return;
+    }
     const double left = pieces_[count_ - 1].until - phase_;
     if (left > kDecided + kThinksFor) {
         return;
@@ -173,18 +184,19 @@ void CellSequence::advance(Beats phase,
     }
 }
 
+// To lay a piece takes time: the second one waits for the next hop.
 void CellSequence::decide(const CellMusic& music, FigureWish& wish) noexcept {
-    for (const CellStep& step : chooser_.decide()) {
-        rows_.note(step, pieces_[count_ - 1].until, music.song ? &*music.song : nullptr);
-        append(step);
-    }
+    const auto steps = chooser_.decide();
+    append(steps[0], music);
+    second_ = steps[1];
     wish.is_another = false;
     wish.figure.reset();
     has_cut_ = false;
 }
 
-void CellSequence::append(const CellStep& step) noexcept {
+void CellSequence::append(const CellStep& step, const CellMusic& music) noexcept {
     Piece& last = pieces_[count_ - 1];
+    rows_.note(step, last.until, music.song ? &*music.song : nullptr);
     last_ = step;
     if (!step.is_joined) {
         last.until += 1.0;

@@ -88,11 +88,10 @@ class CellSequence {
         double lands = 0.0;      // when it is there
         bool is_lifted = false;  // by a step of its own
     };
-    /// When a foot stands first after a join, leaves, and lands again; beats from the join.
-    struct Stand {
-        double from = 0.0;
-        double leaves = 0.0;
-        double lands = 0.0;
+    /// When feet stand about a join, by Side; beats from it.
+    struct JoinStands {
+        std::array<double, 2> until{};     // of the piece before: last
+        std::array<FootStand, 2> after{};  // of the next piece
     };
     /// Some beats of one take.
     struct Piece {
@@ -116,11 +115,10 @@ class CellSequence {
     void decide(const CellMusic& music, FigureWish& wish) noexcept;
     void cut() noexcept;
     void begin_with(const Piece& piece) noexcept;
-    void append(const CellStep& step) noexcept;
+    void forget_choice() noexcept;
+    void append(const CellStep& step, const CellMusic& music) noexcept;
     [[nodiscard]] Pose with_feet(const Piece& piece, double phase) const noexcept;
-    [[nodiscard]] std::array<double, 2> stood_until(const Piece& before,
-                                                    double join) const noexcept;
-    [[nodiscard]] std::array<Stand, 2> stands_from(const Piece& after) const noexcept;
+    [[nodiscard]] JoinStands stands_at(const Piece& before, const Piece& after) const noexcept;
     [[nodiscard]] double turn_to_us(const Pose& pose) const noexcept;
     void lay(const Piece& before, Piece& after) const noexcept;
     [[nodiscard]] FloorMove end_on_stage() const noexcept;
@@ -131,7 +129,8 @@ class CellSequence {
     FloorMove stage_;
     CellChooser chooser_;
     CellRows rows_;
-    CellStep last_;  // that was decided
+    CellStep last_;                   // that was laid
+    std::optional<CellStep> second_;  // of a decision, not laid yet
     std::array<Piece, kMostPieces> pieces_{};
     std::size_t count_ = 0;
     std::size_t present_ = 0;

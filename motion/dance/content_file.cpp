@@ -13,7 +13,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr std::string_view kBakedMagic = "raks-baked-3\n";  // format and its version
+constexpr std::string_view kBakedMagic = "raks-baked-4\n";  // format and its version
 constexpr std::uint32_t kMostFigures = 10'000;              // against absurd counts
 
 void pack_pose(const Pose& pose, Packer& packer) {
@@ -202,6 +202,7 @@ Expected<DanceContent> unpack_cell_content(std::shared_ptr<const std::string> fi
         return fail(std::string(kCutShort));
     }
     content.cells = std::make_shared<const CellGraph>(std::move(*graph));
+    content.stands = cell_stands(content);
     return content;
 }
 

@@ -15,6 +15,7 @@
 #include "motion/dance/baking/figure_passage.hpp"
 #include "motion/dance/baking/figure_size.hpp"
 #include "motion/dance/beat_phase.hpp"
+#include "motion/dance/cell_poses.hpp"
 #include "motion/dance/dynamics/manner.hpp"
 #include "motion/dance/figure_chooser.hpp"
 #include "motion/dance/figure_sides.hpp"
@@ -60,6 +61,7 @@ struct DanceContent {
     Skeleton skeleton;  ///< that it was solved for
     /// Of a dance of cells, whose figures are whole takes; null: of a dance of figures.
     std::shared_ptr<const CellGraph> cells;
+    std::vector<CellStands> stands;  ///< of a dance of cells, by cell; see cell_stands()
 };
 
 /// Solves all figures. Errors: as DanceLibrary::build says. Threads: workers; starts two of its

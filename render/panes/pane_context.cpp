@@ -54,6 +54,17 @@ bool PaneFrame::has_pressed(MouseButton button) const noexcept {
     return std::find(went_down.begin(), went_down.end(), button) != went_down.end();
 }
 
+FrameTarget PaneFrame::target_of(const Box& box) const noexcept {
+    const auto pixels = [this](float units) {
+        return static_cast<int>(std::lround(units * pen.unit()));
+    };
+    return {.framebuffer = 0,
+            .x = pixels(box.x),
+            .y = pixels(area.height) - pixels(box.bottom()),
+            .width = pixels(box.right()) - pixels(box.x),
+            .height = pixels(box.bottom()) - pixels(box.y)};
+}
+
 PaneContext::PaneContext() {
     IMGUI_CHECKVERSION();
     // The overlay may have a context of its own that is current now.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/key.hpp"
+#include "render/gl/frame_target.hpp"
 #include "render/gl/window.hpp"
 #include "render/overlay/pen.hpp"
 
@@ -43,6 +44,8 @@ struct PaneFrame {
     std::vector<std::string> dropped{};  ///< files that were dropped since then
     [[nodiscard]] bool holds(MouseButton button) const noexcept;        ///< whether it is down
     [[nodiscard]] bool has_pressed(MouseButton button) const noexcept;  ///< went down just now
+    /// The rectangle of the window that a box is, for what draws a body there.
+    [[nodiscard]] FrameTarget target_of(const Box& box) const noexcept;
 };
 
 /// Frames of panes. Pure computation but for fonts, which are read from their files: tests drive it

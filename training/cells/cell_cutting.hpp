@@ -60,8 +60,6 @@ struct TakeCut {
     std::size_t far_landings = 0;  ///< see above
 };
 
-/// Beats from a beat beyond which a landing is not on it.
-inline constexpr double kFarLanding = 0.15;
 /// Seconds of a cell: 67 to 188 beats a minute.
 inline constexpr double kShortestCell = 0.32;
 inline constexpr double kLongestCell = 0.90;  ///< see above

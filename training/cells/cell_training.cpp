@@ -207,6 +207,7 @@ class CellTraining {
                             cells_.size()));
         }
         drop_takes_without_cells();
+        give_landings(report_.dance);
         if (auto ok = validate(report_.dance.graph); !ok) {
             return fail(std::move(ok.error()).in("the learnt dance"));
         }

@@ -16,8 +16,6 @@ constexpr double kContactProbability = 0.45;
 // Shorter gaps between two contacts are closed, then shorter contacts are dropped.
 constexpr double kLeastGapBeats = 0.25;
 constexpr double kLeastContactBeats = 0.34;
-// A landing belongs to the contact whose start is nearest, if that is not farther than this.
-constexpr double kLandingReachBeats = 0.75;
 // A landing counts when so many repeats of the figure show it.
 constexpr int kLandingRepeats = 3;
 // A landing without a contact gets one of this length.
@@ -161,10 +159,11 @@ std::vector<ContactWindow> contact_windows(std::span<const double> chance,
 
 std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
                                              const std::vector<LandingOffset>& landings,
+                                             double reach,
                                              double samples_per_beat,
                                              std::size_t samples) {
     for (ContactWindow& window : windows) {
-        double best = kLandingReachBeats;
+        double best = reach;
         for (const double landing : standing_beats(landings)) {
             const double away = beats_between(static_cast<double>(window.first) / samples_per_beat,
                                               landing,
@@ -175,7 +174,7 @@ std::vector<ContactWindow> start_at_landings(std::vector<ContactWindow> windows,
         // stays as it is.
         const auto shift = static_cast<std::ptrdiff_t>(std::lround(best * samples_per_beat));
         const auto length = static_cast<std::ptrdiff_t>(window.length) - shift;
-        if (std::abs(best) < kLandingReachBeats && length > shift_floor(samples_per_beat)) {
+        if (std::abs(best) < reach && length > shift_floor(samples_per_beat)) {
             window.first = wrap(static_cast<std::ptrdiff_t>(window.first) + shift, samples);
             window.length = static_cast<std::size_t>(length);
             window.is_step = true;

@@ -26,13 +26,14 @@ struct ContactWindow {
                                                          int beats,
                                                          std::size_t samples);
 
-/// Moves the start of each contact to the learnt landing nearest to it (less than kLandingReach
+/// Moves the start of each contact to the learnt landing nearest to it (less than `reach`
 /// beats away, from three repeats or more), so that the foot comes to rest when people's feet did;
 /// its end stays. A window without a landing stays; a landing without a window gets a short one.
 /// Threads: workers. Real-time: no.
 [[nodiscard]] std::vector<ContactWindow> start_at_landings(
     std::vector<ContactWindow> windows,
     const std::vector<LandingOffset>& landings,
+    double reach,
     double samples_per_beat,
     std::size_t samples);
 

@@ -56,6 +56,7 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     std::vector<ContactWindow> windows =
         start_at_landings(contact_windows(model.contact[s], model.beats, samples),
                           footing.landings[s],
+                          footing.reach,
                           samples_per_beat,
                           samples);
     if (!footing.is_mean) {
@@ -184,7 +185,7 @@ StartPlaces learnt_places(const FigureModel& model,
                           const FigurePath& way,
                           const Skeleton& skeleton) {
     const FreeFigure figure = free_figure(model, tracks, way, skeleton);
-    const auto contacts = contacts_of(model, figure, way, {{}, model.landings, false});
+    const auto contacts = contacts_of(model, figure, way, {{}, model.landings});
     StartPlaces places;
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);

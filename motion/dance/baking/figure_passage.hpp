@@ -32,6 +32,7 @@ struct Footing {
     FigureLandings landings;  ///< where contacts begin
     /// The steps are means of repeats that differ, as those learnt from people
     bool is_mean = false;
+    double reach = 0.75;  ///< beats; a contact begins at the nearest landing that is not farther
 };
 
 /// One way to dance one figure, from kMargin before its count 1 to kMargin after its end, with

@@ -104,6 +104,11 @@ glm::vec3 pivot_from_ankle(const Skeleton& skeleton,
     return rotation * (mirror * skeleton.ball) + kBeforeBall * toes;
 }
 
+float foot_heading(const glm::quat& rotation) noexcept RAKS_NONBLOCKING {
+    const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
+    return std::atan2(ahead.x, ahead.z);
+}
+
 FootPlace foot_place(const Skeleton& skeleton,
                      const WorldPose& world,
                      Side side) noexcept RAKS_NONBLOCKING {

@@ -64,6 +64,9 @@ struct FootPlace {
                                    const WorldPose& world,
                                    Side side) noexcept RAKS_NONBLOCKING;
 
+/// The heading of a foot's toes, radians about up. Threads: any. Real-time: yes.
+[[nodiscard]] float foot_heading(const glm::quat& rotation) noexcept RAKS_NONBLOCKING;
+
 /// Turns thigh, shin and foot of one side so that the ankle reaches the target (as far as the leg
 /// does) and the foot has its rotation. The knee keeps its direction about the line from hip to
 /// ankle. Hips and the rest of the body stay.

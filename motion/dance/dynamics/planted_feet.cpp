@@ -32,12 +32,6 @@ constexpr float kNoLag = 1e-4F;           // metres, radians: less is none
 
 glm::vec2 floor_place(const glm::vec3& place) noexcept { return {place.x, place.z}; }
 
-/// Heading of a foot's toes.
-float yaw_of(const glm::quat& rotation) noexcept {
-    const glm::vec3 ahead = rotation * glm::vec3(0.0F, 0.0F, 1.0F);
-    return std::atan2(ahead.x, ahead.z);
-}
-
 glm::vec3 small_turn(glm::quat turn) noexcept {
     turn = turn.w < 0.0F ? -turn : turn;
     return 2.0F * glm::vec3(turn.x, turn.y, turn.z);
@@ -72,7 +66,7 @@ void PlantedFeet::carry_over(const Skeleton& skeleton,
         foot.away = floor_place(is.pivot - shall.pivot);
         foot.drift = (floor_place(is.pivot - was.pivot) - floor_place(shall.pivot - should.pivot)) /
                      kHopSeconds;
-        foot.yaw = nearer_turn(yaw_of(is.rotation) - yaw_of(shall.rotation));
+        foot.yaw = nearer_turn(foot_heading(is.rotation) - foot_heading(shall.rotation));
         foot.height = is.pivot.y - shall.pivot.y;
         foot.tilt =
             small_turn(is.rotation * glm::conjugate(turn_about_up(foot.yaw) * shall.rotation));

@@ -1,4 +1,5 @@
-#include "engine/trials/trained_figures.hpp"
+// What the takes of a dance of cells have from its cells.
+#include "motion/cells/cell_dance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +7,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace raks::engine {
+#include "motion/evaluate/landing_error.hpp"
+
+namespace raks::motion {
 namespace {
 
-using motion::Cell;
-
 // Beats 1 to 3 of a take of five are cells.
-motion::CellDance short_dance() {
-    motion::CellDance dance;
+CellDance short_dance() {
+    CellDance dance;
     dance.takes.resize(1);
     dance.takes[0].name = "take";
     dance.takes[0].beats = 5;
@@ -26,12 +27,14 @@ motion::CellDance short_dance() {
     return dance;
 }
 
-TEST(TakesOf, a_dance_of_cells_are_to_land_when_the_take_did) {
-    const std::vector<motion::FigureModel> takes = takes_of(short_dance());
+TEST(CellDance, takes_are_to_land_at_their_cells_when_the_dancer_did) {
+    CellDance dance = short_dance();
+    give_landings(dance);
+    const std::vector<FigureModel>& takes = dance.takes;
     ASSERT_EQ(takes.size(), 1U);
-    const int least = motion::JudgedLandings().least_repeats;
+    const int least = JudgedLandings().least_repeats;
     for (std::size_t beat = 0; beat < 5; ++beat) {
-        const motion::LandingOffset& left = takes[0].landings[0][beat];
+        const LandingOffset& left = takes[0].landings[0][beat];
         const bool is_cell = beat >= 1 && beat <= 3;
         EXPECT_EQ(left.is_one(least, takes[0].repeats), is_cell) << beat;
         if (is_cell) {
@@ -42,4 +45,4 @@ TEST(TakesOf, a_dance_of_cells_are_to_land_when_the_take_did) {
 }
 
 }  // namespace
-}  // namespace raks::engine
+}  // namespace raks::motion
