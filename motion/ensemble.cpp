@@ -137,6 +137,7 @@ std::vector<EnsembleMember> members_of(Formation formation,
         part.place = places[i];
         part.bars_late =
             formation == Formation::canon ? kCanonBars * static_cast<int>(i % kCanonVoices) : 0;
+        part.room = room_in(formation);
         part.ways = ways_of(seed, i);
         part.seed = formation == Formation::free ? part.ways : seed;
         members.push_back({bodies[i % bodies.size()], part});

@@ -123,6 +123,19 @@ std::size_t dancers_in(Formation formation, std::size_t asked) noexcept {
     return is_fixed || asked == 0 ? usual : std::min(asked, kMostDancers);
 }
 
+double room_in(Formation formation) noexcept {
+    constexpr double kAlone = 1.3;
+    constexpr double kBody = 0.35;  // half of it
+    switch (formation) {
+        case Formation::free:
+            return 0.5 * kFreeApart - kBody;
+        case Formation::canon:
+            return 0.5 * kApart - 0.5 * kBody;
+        default:
+            return kAlone;  // all go the same ways
+    }
+}
+
 std::vector<glm::dvec2> places_in(Formation formation, std::size_t dancers) {
     switch (formation) {
         case Formation::solo:

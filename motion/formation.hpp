@@ -32,6 +32,9 @@ inline constexpr std::array<std::string_view, 8> kFormationNames = {
 /// kMostDancers at most). Solo and couple have one and two whatever is asked. Pure.
 [[nodiscard]] std::size_t dancers_in(Formation formation, std::size_t asked) noexcept;
 
+/// Metres about each one's place in which nobody else dances at the same time. Pure.
+[[nodiscard]] double room_in(Formation formation) noexcept;
+
 /// Where they stand: metres from the stage's middle, x to the dancers' left, y toward the audience;
 /// nobody nearer to another than 1.3 m. Those of a couple have their places from the dance.
 /// `dancers`: of dancers_in. Pure.

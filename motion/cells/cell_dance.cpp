@@ -39,6 +39,23 @@ Expected<void> check_cell(const CellGraph& graph, std::size_t i) {
     return {};
 }
 
+// Whether a foot stands when it has landed: at the top of a kick it is as slow as on the floor.
+bool stands_after(const FigureModel& take, std::size_t side, const Cell& cell) {
+    constexpr double kSoon = 0.15;  // beats
+    const std::vector<double>& chances = take.contact[side];
+    if (chances.empty()) {
+        return false;
+    }
+    const double beat = cell.beat + static_cast<double>(cell.landings[side]);
+    const auto bin = [&](double at) {
+        const double last = static_cast<double>(chances.size()) - 1.0;
+        return static_cast<std::ptrdiff_t>(std::clamp(at * kContactBinsPerBeat, 0.0, last));
+    };
+    return std::any_of(chances.begin() + bin(beat),
+                       chances.begin() + bin(beat + kSoon) + 1,
+                       [](double chance) { return chance > 0.5; });
+}
+
 }  // namespace
 
 void sort_energies(CellGraph& graph) {
@@ -64,7 +81,8 @@ void give_landings(CellDance& dance) {
     }
     for (const Cell& cell : dance.graph.cells) {
         for (std::size_t side = 0; side < cell.landings.size(); ++side) {
-            if (cell.landings[side] != Cell::kNoLanding) {
+            if (cell.landings[side] != Cell::kNoLanding &&
+                stands_after(dance.takes[cell.take], side, cell)) {
                 dance.takes[cell.take].landings[side][cell.beat] = {
                     kShared, Beats(static_cast<double>(cell.landings[side])), Beats(0.0)};
             }

@@ -84,8 +84,8 @@ struct CellDance {
     CellGraph graph;                 ///< of the same takes
 };
 
-/// Gives the takes the landings of their cells, as figures have theirs: contacts begin there, and a
-/// dance is judged by them. Threads: any. Real-time: no.
+/// Gives the takes the landings of their cells after which the foot stands, as figures have theirs:
+/// contacts begin there, and a dance is judged by them. Threads: any. Real-time: no.
 void give_landings(CellDance& dance);
 
 /// Beats from a beat beyond which a landing is not on it.

@@ -20,9 +20,8 @@ constexpr double kGoOnEarly = 8.0;       // weight of the natural successor in a
 constexpr double kGoOnLater = 1.5;       // and in a longer one
 constexpr double kRepeatWeight = 0.003;  // of what was danced lately
 // Costs of a future.
-constexpr double kStageRadius = 1.3;  // metres from the middle that cost nothing
-constexpr double kStageCost = 2.5;    // a square metre beyond
-constexpr double kTurnedCost = 0.8;   // turned away, of 2
+constexpr double kStageCost = 4.2;   // beyond the room, by the square of the room's radius
+constexpr double kTurnedCost = 0.8;  // turned away, of 2
 constexpr double kJoinCost = 0.5;
 constexpr double kJoinDistance = 10.0;  // centimetres that cost 1 more
 constexpr double kRepeatCost = 3.0;     // at once; nothing after kForgotten beats
@@ -36,8 +35,8 @@ constexpr double kGreatestCost = 3.0;  // a cell that is not one of the greatest
 constexpr double kNaturalCost = 2.0;   // the natural successor where another cell is wanted
 constexpr double kFarJoin = 6.0;       // a change along no arc
 constexpr double kOffRow = 3.0;        // a beat that is not the one of the row
-// Metres from the middle beyond which no row is asked for: it would lead on from there.
-constexpr double kRowRadius = 2.0;
+// Metres beyond the room where no row is asked for: it would lead on from there.
+constexpr double kRowBeyond = 0.7;
 constexpr double kJumpsIntoRow = 0.4;  // share of the futures that go to a row along no arc
 // A rest is drawn this much more often where it is wanted, by its speed over the middling one.
 constexpr double kRestSoftness = 2.5;
@@ -221,7 +220,7 @@ std::optional<CellStep> CellChooser::asked_step(const CellGraph& graph,
         return step_in_take(graph, future.last, *wish.take, random.uniform(draw));
     }
     const auto& row = wish.beats[static_cast<std::size_t>(future.beats)].is;
-    if (!row || glm::length(future.place.offset) > kRowRadius) {
+    if (!row || glm::length(future.place.offset) > wish.room + kRowBeyond) {
         return std::nullopt;
     }
     if (is_successor(graph, future.last, *row)) {
@@ -317,7 +316,7 @@ void CellChooser::take(const CellGraph& graph,
     future.place = future.place * FloorMove{side * static_cast<double>(cell.turn),
                                             {side * static_cast<double>(cell.way.x),
                                              static_cast<double>(cell.way.y)}};
-    const double beyond = std::max(0.0, glm::length(future.place.offset) - kStageRadius);
+    const double beyond = std::max(0.0, glm::length(future.place.offset) - wish.room) / wish.room;
     future.cost += kStageCost * beyond * beyond;
     future.cost += wish.faces_us ? kTurnedCost * (1.0 - std::cos(future.place.heading)) : 0.0;
     future.cost += cost_of(graph, step, beat);

@@ -8,6 +8,7 @@
 #include "base/realtime.hpp"
 #include "motion/cells/cell_dance.hpp"
 #include "motion/dance/body/floor_move.hpp"
+#include "motion/dance/dancer_part.hpp"
 
 namespace raks::motion {
 
@@ -40,6 +41,7 @@ struct CellWish {
     std::array<CellBeatWish, kCellLook> beats{};  ///< from the next one that is not decided
     std::optional<std::uint16_t> take;            ///< the next cell is of this take
     bool faces_us = true;                         ///< for an audience ahead
+    double room = DancerPart().room;              ///< about the middle of the stage, metres
 };
 
 /// Chooses the cells of a dance. Futures of kLook beats are drawn along the arcs, near ones more

@@ -31,6 +31,7 @@ void CellSequence::start(const DanceContent& content,
     content_ = &content;
     stage_ = stage;
     faces_us_ = !part.is_in_couple;
+    room_ = part.room;
     last_ = chooser_.start(*content.cells, part.seed);
     phase_ = 0.0;
     has_cut_ = false;
@@ -100,6 +101,7 @@ FloorMove CellSequence::end_on_stage() const noexcept {
 CellWish CellSequence::wished(const CellMusic& music, const FigureWish& wish) const noexcept {
     CellWish wanted;
     wanted.faces_us = faces_us_;
+    wanted.room = room_;
     if (wish.figure && *wish.figure < content_->figures.size()) {
         wanted.take = static_cast<std::uint16_t>(*wish.figure);
     }

@@ -136,6 +136,7 @@ class CellSequence {
     std::size_t present_ = 0;
     double phase_ = 0.0;
     bool faces_us_ = true;
+    double room_ = 0.0;
     bool has_cut_ = false;  // for the wish that is not granted yet
     std::uint64_t number_ = 0;
 };

@@ -25,6 +25,9 @@ struct DancerPart {
     std::shared_ptr<const Repertoire> partner{};
     /// From the stage's middle: x to the left, y toward the audience; metres.
     glm::dvec2 place{0.0, 0.0};
+    /// Metres about that place in which a dance of takes stays, but for a step or two; others come
+    /// back to their place by themselves.
+    double room = 1.3;
     int bars_late = 0;  ///< starts this many bars after it could
 };
 

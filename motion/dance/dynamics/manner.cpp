@@ -25,7 +25,7 @@ struct Range {
         // still has something to add.
         constexpr float kCalm = 0.28F;
         constexpr float kUsualFrom = 0.50F;
-        constexpr float kUsualTo = 0.80F;
+        constexpr float kUsualTo = 0.90F;
         constexpr float kFull = 1.10F;
         const float up = std::clamp((energy - kUsualTo) / (kFull - kUsualTo), 0.0F, 1.0F);
         const float down = std::clamp((kUsualFrom - energy) / (kUsualFrom - kCalm), 0.0F, 1.0F);
@@ -44,7 +44,7 @@ constexpr Range kBend{-0.004F, 0.0F, 0.04F};
 // What everything coming in at once adds, and the music going on after a stop; it wears off.
 constexpr float kDropLift = 1.0F;
 constexpr float kEntryLift = 0.40F;
-constexpr double kLiftSeconds = 9.0;
+constexpr double kLiftSeconds = 16.0;
 
 float approached(float from, float to, double seconds) noexcept {
     const double share = 1.0 - std::exp(-to_seconds(kHop) / seconds);

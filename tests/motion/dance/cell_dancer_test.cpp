@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/cells/cell_file.hpp"
 #include "motion/dancer.hpp"
 #include "motion/ensemble.hpp"
 #include "motion/repertoire.hpp"
@@ -181,11 +182,13 @@ struct EnsembleDanced {
     std::array<std::vector<DancerStatus>, Ensemble::kMost> hops;
 };
 
-std::unique_ptr<EnsembleDanced> dance_together(Formation formation,
-                                               std::size_t dancers,
-                                               HopIndex hops) {
+std::unique_ptr<EnsembleDanced> dance_together(
+    Formation formation,
+    std::size_t dancers,
+    HopIndex hops,
+    const std::shared_ptr<const DanceLibrary>& library = cells()) {
     const auto members = members_of(
-        formation, {{mannequin_skeleton(), Repertoire::of_one(cells())}}, 3, Dynamics::on, dancers);
+        formation, {{mannequin_skeleton(), Repertoire::of_one(library)}}, 3, Dynamics::on, dancers);
     auto danced = std::make_unique<EnsembleDanced>();
     const auto track = std::make_unique<PoseTrack>();
     for (std::size_t i = 0; i < dancers; ++i) {
@@ -271,6 +274,26 @@ TEST(CellDancer, free_dancers_dance_other_cells) {
         other += where(danced->hops[0][hop]) != where(danced->hops[1][hop]) ? 1 : 0;
     }
     EXPECT_GT(other, 2'000);
+}
+
+TEST(CellDancer, free_dancers_of_peoples_takes_keep_apart) {
+    constexpr std::size_t kDancers = 3;
+    const auto takes = load_cells(RAKS_SOURCE_DIR "/models/trained/disco.cells");
+    ASSERT_TRUE(takes) << takes.error().message;
+    const auto library = DanceLibrary::build(*takes, mannequin_skeleton());
+    ASSERT_TRUE(library) << library.error().message;
+    const auto danced = dance_together(Formation::free, kDancers, 6'000, *library);
+    float closest = 10.0F;
+    for (std::size_t hop = 500; hop < 6'000; ++hop) {
+        for (std::size_t i = 0; i < kDancers; ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                closest = std::min(closest,
+                                   glm::distance(danced->poses[i][hop].hips_position,
+                                                 danced->poses[j][hop].hips_position));
+            }
+        }
+    }
+    EXPECT_GT(closest, 0.8F);
 }
 
 TEST(CellDancer, a_canon_begins_two_bars_later) {
