@@ -17,6 +17,7 @@
 #include "audio/features/onset.hpp"
 #include "audio/form/form_tracker.hpp"
 #include "audio/genre/genre_recognizer.hpp"
+#include "audio/genre/tag_source.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/decibels.hpp"
 
@@ -76,6 +77,10 @@ struct MusicAnalyzer::State {
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
     std::optional<GenreRecognizer> recognizer;
+    std::shared_ptr<TagSource> tags;              // may be null
+    TaggerHop tagged;                             // the newest hop, as the tagger got it
+    bool is_other_music = true;                   // of the next hop that the tagger gets
+    const TaggerWord* tagger_word = nullptr;      // as of the newest hop; null: no tagger
     DanceId hinted = DanceId::none;               // last genre hint that the tracker got
     MfccVector mfcc{};                            // of the newest hop, normalized
     std::array<float, kLevelsKept> level_dbfs{};  // of the last hops, ring
@@ -101,6 +106,7 @@ struct MusicAnalyzer::State {
     void finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING;
     void track(const Onset& onset, MusicState& state) noexcept;
     void score_mfcc(const MusicState& state) noexcept;
+    void hear_tags(const MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
     void hint_tempo(DanceId genre) noexcept;
     void jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING;
@@ -123,6 +129,8 @@ void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     if (recognizer) {
         recognizer->reset();
     }
+    is_other_music = true;
+    tagger_word = nullptr;
     hinted = DanceId::none;
     mfcc.fill(0.0F);
     level_dbfs.fill(kLowestLevel);
@@ -187,6 +195,7 @@ void MusicAnalyzer::State::finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING {
         track(onset, state);
     }
     form.advance(onsets.mel_magnitudes(), state);
+    hear_tags(state);
     score_mfcc(state);
     recognize(state);
     hand_out(state, sink);
@@ -212,6 +221,23 @@ void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept
         tracked.evidence = beat_detector->next(network_input.next(onsets.mel_magnitudes()));
     }
     tracker.advance(tracked, state);
+}
+
+// The tagger takes the samples that the MFCC are about to take.
+void MusicAnalyzer::State::hear_tags(const MusicState& state) noexcept {
+    if (!tags) {
+        return;
+    }
+    tagged.hop = state.hop;
+    tagged.is_other_music = is_other_music;
+    is_other_music = false;
+    tagged.samples.fill(0.0F);
+    const std::span<const float> coming = mfcc_hops.coming();
+    std::transform(coming.begin(), coming.end(), tagged.samples.begin(), [](float sample) {
+        return sample / MfccHops::kScale;
+    });
+    tags->hear(tagged);
+    tagger_word = &tags->word();
 }
 
 // The vector is some hops old, so the level of that time decides whether it is silence.
@@ -306,6 +332,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     // A genre model defines the MFCC that it was trained on.
     GenreFeatures features;
     features.cepstral_mean = config.cepstral_mean;
+    state_->tags = config.tags;
     state_->recognizer.reset();
     if (config.genre_model) {
         features = config.genre_model->features;
@@ -394,6 +421,7 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
     State& state = *state_;
     state.is_discontinuity = true;
     if (lost.count() <= 0) {
+        state.is_other_music = true;
         state.tracker.jump();
         state.paper.jump();
         return;

@@ -22,6 +22,7 @@ class BeatNetwork;  // audio/beat/network/beat_network.hpp
 struct GenreModel;  // audio/genre/genre_model.hpp
 struct TrackedHop;  // audio/beat/beat_tracker.hpp
 struct HopSound;    // audio/form/hop_sound.hpp
+class TagSource;    // audio/genre/tag_source.hpp
 
 /// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
@@ -37,6 +38,10 @@ struct AnalyzerConfig {
     /// The dances that MusicState::genre numbers. The tempi of the recognised one become likelier
     /// (hint_genre). Null: the genre is always none.
     std::shared_ptr<const DanceList> dances = nullptr;
+    /// Is given the sound at 16 kHz of every hop and has the music tagger's newest word: a
+    /// HopTagger (audio/genre/music_tagger.hpp), or a thread's (engine/live/tagger_thread.hpp). Of
+    /// this analyzer alone. Null: nothing is tagged.
+    std::shared_ptr<TagSource> tags = nullptr;
     double genre_window = 3.0;  ///< seconds of music that the genre is scored on, 0.5 to 10
 };
 

@@ -22,7 +22,7 @@ declare -A lists=(
     [learn]="libfluidsynth-dev libopenblas-dev libopencv-calib3d-dev libopencv-imgproc-dev
         libopencv-contrib-dev libceres-dev"
     # What the tests need that open no window and no sound device.
-    [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick"
+    [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display and checkers of code: all that CI runs.
     [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils
         clang-format clang-tidy clang-14 libclang-rt-14-dev"

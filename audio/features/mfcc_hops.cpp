@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::size_t kHopSamples = MfccStream::kHop;  // at 16 kHz
 constexpr std::size_t kCapacity = 4096;                // samples: 256 ms at 16 kHz
-constexpr float kSixteenBit = 32768.0F;                // HTK's scale
 
 // Takes over the vector of a hop, if the hop's frame has one.
 class KeepLast final : public MfccStream::Sink {
@@ -60,11 +59,15 @@ void MfccHops::push(std::span<const float> mono) noexcept RAKS_NONBLOCKING {
             return;  // full, against the caller's promise: the rest is lost
         }
         for (float& sample : room.first(progress.made)) {
-            sample *= kSixteenBit;
+            sample *= kScale;
         }
         queued_ += progress.made;
         mono = mono.subspan(progress.taken);
     }
+}
+
+std::span<const float> MfccHops::coming() const noexcept RAKS_NONBLOCKING {
+    return std::span(queue_).first(std::min(queued_, kHopSamples));
 }
 
 // One hop of samples completes at most one frame, so at most one vector comes out.

@@ -44,6 +44,11 @@ class MfccHops {
     /// after a gap. Valid until the next call.
     [[nodiscard]] const MfccVector* next() noexcept RAKS_NONBLOCKING;
 
+    /// The samples at 16 kHz that the following next() takes, on the scale of 16 bits; fewer than a
+    /// hop's where its caller has broken its promise.
+    [[nodiscard]] std::span<const float> coming() const noexcept RAKS_NONBLOCKING;
+    static constexpr float kScale = 32768.0F;  ///< of coming(): HTK's
+
     /// Puts this many samples of silence at 16 kHz in place of samples that were lost.
     void push_lost(int samples) noexcept RAKS_NONBLOCKING;
     /// In place of next() for a hop inside a gap: discards the hop's samples, and frames start anew

@@ -21,6 +21,7 @@ std::span<const Reader> readers() {
         {"figure_positions", read_figure, {"models/trained/salsa_basic_lead_positions.json"}, 40},
         {"genre", read_genre, {"models/trained/genres.json"}, 20},
         {"beats", read_beats, {"models/trained/beats.json"}, 10},
+        {"tagger", read_tagger, {}, 100, Content::bytes},
         {"labels", read_labels, {}, 2000},
         {"counts", read_counts, {}, 2000},
         {"faults", read_faults, {}, 2000},

@@ -1,8 +1,11 @@
-// Dances that were solved and kept, and postures.
+// Dances that were solved and kept, the tagger's weights, and postures.
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "audio/genre/tagger_file.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "engine/show/pose_file.hpp"
@@ -40,7 +43,11 @@ KeptDance keep_dance() {
 // The bytes with changes, each by four bytes for its place and one to put there; where four bytes
 // are left, it is cut there. The hash at the end is made to fit again, else nothing behind it would
 // be tried.
-std::string changed(std::string bytes, std::string_view changes) {
+using Hash = std::uint64_t (*)(std::string_view bytes);
+std::string changed(
+    std::string bytes, std::string_view changes, Hash hash = [](std::string_view text) {
+        return fast_hash_of(text);
+    }) {
     std::size_t body = bytes.size() - sizeof(std::uint64_t);
     for (; changes.size() >= 5; changes.remove_prefix(5)) {
         std::uint32_t place = 0;
@@ -52,7 +59,7 @@ std::string changed(std::string bytes, std::string_view changes) {
         body = place % body;
         bytes.resize(body + sizeof(std::uint64_t));
     }
-    const std::uint64_t sum = fast_hash_of(std::string_view(bytes).substr(0, body));
+    const std::uint64_t sum = hash(std::string_view(bytes).substr(0, body));
     std::memcpy(bytes.data() + body, &sum, sizeof sum);
     return bytes;
 }
@@ -110,6 +117,24 @@ bool read_cells(std::string_view changes) {
         state.is_silent = false;
         dancer.advance(state, track);
     }
+    return true;
+}
+
+bool read_tagger(std::string_view changes) {
+    static const std::string good =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/models/pretrained/msd_musicnn.tagger").value();
+    const auto network = audio::parse_tagger(
+        changed(good, changes, [](std::string_view text) { return hash_of(text); }));
+    if (!network) {
+        must_be_one_line(network.error().message);
+        return false;
+    }
+    std::vector<float> mel(audio::kTagFrames * audio::kTagBands);
+    for (std::size_t i = 0; i < mel.size(); ++i) {
+        mel[i] = static_cast<float>(i % 37) * 0.1F;
+    }
+    audio::TaggerRun run;
+    run.compute(*network, std::span(mel).first<audio::kTagFrames * audio::kTagBands>());
     return true;
 }
 
