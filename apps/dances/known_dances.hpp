@@ -7,6 +7,7 @@ namespace raks::apps {
 
 /// The analyzer's models, for all dances that are found.
 /// Errors: those of the catalogue and of the models. Threads: workers. Real-time: no.
-[[nodiscard]] Expected<engine::AnalyzerModels> load_models_of_known_dances();
+[[nodiscard]] Expected<engine::AnalyzerModels> load_models_of_known_dances(
+    engine::TaggerUse tagger = engine::TaggerUse::off);
 
 }  // namespace raks::apps

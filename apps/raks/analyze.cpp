@@ -1,6 +1,7 @@
 #include "apps/raks/commands.hpp"
 
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/paper_beat.hpp"
+#include "audio/genre/music_tagger.hpp"
 #include "audio/io/audio_file.hpp"
 #include "audio/music_analyzer.hpp"
 #include "base/pending_file.hpp"
@@ -48,6 +50,30 @@ class Collect final : public audio::MusicAnalyzer::Sink {
     PlotData* plot_;  // may be null
 };
 
+// The tagger, which also keeps what it said of each patch.
+class KeepTags final : public audio::TagSource {
+ public:
+    KeepTags(std::shared_ptr<const audio::TaggerNetwork> network, AnalysisDocument& document)
+        : tagger_(std::move(network)), document_(document) {}
+    void hear(const audio::TaggerHop& hop) noexcept RAKS_NONBLOCKING override {
+        tagger_.hear(hop);
+        const audio::TaggerWord& word = tagger_.word();
+        if (word.patches > 0 && word.until != said_) {
+            said_ = word.until;
+            // No thread of ours is in a hurry where a whole file is analyzed.
+            RAKS_TRUSTED(document_.add_tags(word));
+        }
+    }
+    [[nodiscard]] const audio::TaggerWord& word() noexcept RAKS_NONBLOCKING override {
+        return tagger_.word();
+    }
+
+ private:
+    audio::HopTagger tagger_;
+    AnalysisDocument& document_;
+    StreamTime said_{};
+};
+
 // The streaming method; paper_whole runs the paper's streaming method beside, for tempo and genre.
 audio::BeatMethod streaming_method(FileBeatMethod method) {
     const bool is_pointer = method == FileBeatMethod::pointer || method == FileBeatMethod::whole;
@@ -69,6 +95,7 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
                        const Path& input,
                        SampleRate rate,
                        const engine::AnalyzerModels& models,
+                       std::shared_ptr<audio::TagSource> tags,
                        Analyses& to) {
     // A plot that cannot be written is noticed at once.
     if (!arguments.plot.empty()) {
@@ -101,14 +128,15 @@ Expected<void> prepare(const AnalyzeArguments& arguments,
         }
     }
     if (arguments.beat == FileBeatMethod::whole) {
-        auto song = engine::make_song_analyzer(rate, models);
+        auto song = engine::make_song_analyzer(rate, models, std::move(tags));
         if (!song) {
             return fail(std::move(song.error()));
         }
         to.song.emplace(std::move(*song));
         return {};
     }
-    auto analyzer = engine::make_analyzer(rate, models, streaming_method(arguments.beat));
+    auto analyzer =
+        engine::make_analyzer(rate, models, streaming_method(arguments.beat), std::move(tags));
     if (!analyzer) {
         return fail(std::move(analyzer.error()));
     }
@@ -199,14 +227,21 @@ Expected<std::string> analyze_one(const AnalyzeArguments& arguments,
     if (!source) {
         return fail(source.error());
     }
-    Analyses analyses;
-    if (auto prepared = prepare(arguments, input, source->rate(), models, analyses); !prepared) {
-        return fail(std::move(prepared.error()));
-    }
     // The last class of the model's posterior.
     std::vector<std::string> genres = models.genres->genres;
     genres.emplace_back("unknown");
     AnalysisDocument document(input.string(), source->rate(), std::move(genres));
+    std::shared_ptr<audio::TagSource> tags;
+    if (models.tagger) {
+        document.expect_tags();
+        tags = std::make_shared<KeepTags>(models.tagger, document);
+    }
+    Analyses analyses;
+    if (auto prepared =
+            prepare(arguments, input, source->rate(), models, std::move(tags), analyses);
+        !prepared) {
+        return fail(std::move(prepared.error()));
+    }
     Collect collect(document, analyses.plot ? &*analyses.plot : nullptr);
     analyze_source(*source, analyses, collect);
     // The method with the whole file before it replaces the streaming beats, in both outputs.
@@ -286,9 +321,14 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
             return fail(file.error());
         }
     }
-    const auto models = load_models_of_known_dances();
+    // Only the document has the tags.
+    const auto models =
+        load_models_of_known_dances(arguments.as_json ? arguments.tagger : engine::TaggerUse::off);
     if (!models) {
         return fail(models.error());
+    }
+    if (!models->tagger_note.empty()) {
+        say(models->tagger_note);
     }
     Output output(arguments.as_json, has_several);
     for (const Path& input : list->files) {

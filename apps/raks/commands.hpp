@@ -10,6 +10,7 @@
 #include "apps/clips/joint_arguments.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/outputs/outputs.hpp"
+#include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/figures/figure_model.hpp"
@@ -159,6 +160,7 @@ struct AnalyzeArguments {
     FileBeatMethod beat = FileBeatMethod::pointer;  ///< how beats are tracked
     Path plot;                                      ///< .svg; empty: none
     Path reference;  ///< beats to compare with in the plot; empty: none
+    engine::TaggerUse tagger = engine::TaggerUse::on;  ///< whether music is tagged
 };
 /// Reports beats, tempo and dance of files; kExitPartly when some could not be read. Errors: none
 /// can be read; those of the plot.

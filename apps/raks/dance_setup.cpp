@@ -145,9 +145,12 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     for (const std::string& note : engine::material_notes(settings, *catalogue)) {
         say(note);
     }
-    auto models = engine::load_analyzer_models(catalogue->list());
+    auto models = engine::load_analyzer_models(catalogue->list(), engine::tagger_of(settings));
     if (!models) {
         return fail(std::move(models.error()));
+    }
+    if (!models->tagger_note.empty()) {
+        say(models->tagger_note);
     }
     return DanceSetup{std::move(*catalogue), std::move(*models), body};
 }

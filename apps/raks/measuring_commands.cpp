@@ -162,6 +162,11 @@ void add_analyze(RaksCommands& table) {
         "--whole",
         [arguments = a] { arguments->beat = FileBeatMethod::whole; },
         "with the whole file before it, as play and render dance to it");
+    add_named_option(*app,
+                     "--tagger",
+                     a->tagger,
+                     engine::kTaggerUseNames,
+                     "on, or off: the document has no tags");
     auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of the analysis");
     app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
         ->needs(plot);

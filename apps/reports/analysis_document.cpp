@@ -1,6 +1,8 @@
 #include "apps/reports/analysis_document.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -81,6 +83,21 @@ void AnalysisDocument::add(const MusicState& state) {
     genre_.push_back({time, state.genre_class, state.genre_log_probability});
 }
 
+void AnalysisDocument::add_tags(const audio::TaggerWord& word) {
+    std::array<std::size_t, audio::kTags> order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // Of two alike the first, so that the document is the same everywhere.
+    std::stable_sort(order.begin(), order.end(), [&word](std::size_t a, std::size_t b) {
+        return word.mean_logits[a] > word.mean_logits[b];
+    });
+    TagPoint point{.time = rounded(word.until), .tags = {}, .probabilities = {}};
+    for (std::size_t i = 0; i < kStrongest; ++i) {
+        point.tags[i] = order[i];
+        point.probabilities[i] = 1.0F / (1.0F + std::exp(-word.mean_logits[order[i]]));
+    }
+    tags_.push_back(point);
+}
+
 void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
     beats_ = std::move(beats);
     predicted_.clear();
@@ -146,6 +163,17 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         }
         genre.push_back(
             {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
+    }
+    if (has_tags_) {
+        auto& tags = document["tags"] = Json::array();
+        for (const TagPoint& point : tags_) {
+            Json strongest = Json::array();
+            for (std::size_t i = 0; i < kStrongest; ++i) {
+                strongest.push_back({{"tag", audio::kTagNames[point.tags[i]]},
+                                     {"probability", shortened(point.probabilities[i])}});
+            }
+            tags.push_back({{"time", point.time}, {"strongest", strongest}});
+        }
     }
     add_music(document);
     // A file's name need not be UTF-8; invalid bytes become the replacement character.

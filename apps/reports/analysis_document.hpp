@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/reports/music_table.hpp"
+#include "audio/genre/tag_source.hpp"
 #include "base/json.hpp"
 #include "base/music_state.hpp"
 #include "base/time.hpp"
@@ -22,6 +23,11 @@ class AnalysisDocument {
 
     /// Takes the next state; states come in order, one a hop.
     void add(const MusicState& state);
+
+    /// The music is tagged: the document has tags, also where none are added.
+    void expect_tags() { has_tags_ = true; }
+    /// Takes the strongest tags of the music so far.
+    void add_tags(const audio::TaggerWord& word);
 
     /// Replaces the announced beats by those of a method that had the whole file; the tempo becomes
     /// that of the beats around each moment, and nothing is predicted. After all states.
@@ -50,6 +56,13 @@ class AnalysisDocument {
         std::array<MusicValue, MusicRow::kMostFields> values;
     };
 
+    static constexpr std::size_t kStrongest = 3;  ///< tags that a point names
+    struct TagPoint {
+        double time;
+        std::array<std::size_t, kStrongest> tags;  ///< index in audio::kTagNames
+        std::array<float, kStrongest> probabilities;
+    };
+
     [[nodiscard]] static bool is_due(const MusicRow& row,
                                      const MusicState& state,
                                      const std::vector<MusicPoint>& written);
@@ -64,6 +77,8 @@ class AnalysisDocument {
     std::vector<double> predicted_;
     std::vector<GenrePoint> genre_;
     std::array<std::vector<MusicPoint>, kMusicTable.size()> music_;  // by row
+    std::vector<TagPoint> tags_;
+    bool has_tags_ = false;
     int beats_per_bar_ = 4;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/decibels.hpp"
+#include "engine/live/tagger_thread.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 
 namespace raks::engine {
@@ -24,7 +25,12 @@ float level_of(std::span<const float> mono) noexcept {
 
 Expected<std::unique_ptr<AnalysisStage>> AnalysisStage::create(SampleRate rate,
                                                                const AnalyzerModels& models) {
-    auto analyzer = make_analyzer(rate, models);
+    // Tagging a patch takes longer than a callback may: on a thread of its own.
+    std::shared_ptr<audio::TagSource> tags;
+    if (models.tagger) {
+        tags = std::make_shared<TaggerThread>(models.tagger);
+    }
+    auto analyzer = make_analyzer(rate, models, audio::BeatMethod::pointer, std::move(tags));
     if (!analyzer) {
         return fail(analyzer.error());
     }

@@ -4,6 +4,8 @@
 
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
+#include "audio/genre/music_tagger.hpp"
+#include "audio/genre/tagger_file.hpp"
 #include "engine/setup/settings.hpp"
 
 namespace raks::engine {
@@ -33,7 +35,20 @@ Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(
     return audio::load_genre(*shipped);
 }
 
-Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances) {
+namespace {
+
+Expected<std::shared_ptr<const audio::TaggerNetwork>> load_shipped_tagger() {
+    const auto shipped = data_path("models/pretrained/msd_musicnn.tagger");
+    if (!shipped) {
+        return fail(shipped.error());
+    }
+    return audio::load_tagger(*shipped);
+}
+
+}  // namespace
+
+Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances,
+                                              TaggerUse tagger) {
     auto beats = load_beat_network();
     if (!beats) {
         return fail(beats.error());
@@ -42,20 +57,34 @@ Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> d
     if (!genres) {
         return fail(genres.error());
     }
-    return AnalyzerModels{std::move(*beats), std::move(*genres), std::move(dances)};
+    AnalyzerModels models{std::move(*beats), std::move(*genres), std::move(dances)};
+    if (tagger == TaggerUse::on) {
+        if (auto network = load_shipped_tagger()) {
+            models.tagger = std::move(*network);
+        } else {
+            models.tagger_note = network.error().message + "; music is not tagged";
+        }
+    }
+    return models;
+}
+
+std::shared_ptr<audio::TagSource> make_tagger(const AnalyzerModels& models) {
+    return models.tagger ? std::make_shared<audio::HopTagger>(models.tagger) : nullptr;
 }
 
 namespace {
 
 audio::AnalyzerConfig config_of(SampleRate rate,
                                 const AnalyzerModels& models,
-                                audio::BeatMethod method) {
+                                audio::BeatMethod method,
+                                std::shared_ptr<audio::TagSource> tags) {
     audio::AnalyzerConfig config;
     config.sample_rate = rate;
     config.beat_method = method;
     config.beat_network = models.beats;
     config.genre_model = models.genres;
     config.dances = models.dances;
+    config.tags = std::move(tags);
     return config;
 }
 
@@ -73,12 +102,16 @@ Expected<Analyzer> prepared(const audio::AnalyzerConfig& config) {
 
 Expected<audio::MusicAnalyzer> make_analyzer(SampleRate rate,
                                              const AnalyzerModels& models,
-                                             audio::BeatMethod method) {
-    return prepared<audio::MusicAnalyzer>(config_of(rate, models, method));
+                                             audio::BeatMethod method,
+                                             std::shared_ptr<audio::TagSource> tags) {
+    return prepared<audio::MusicAnalyzer>(config_of(rate, models, method, std::move(tags)));
 }
 
-Expected<audio::SongAnalyzer> make_song_analyzer(SampleRate rate, const AnalyzerModels& models) {
-    return prepared<audio::SongAnalyzer>(config_of(rate, models, audio::BeatMethod::pointer));
+Expected<audio::SongAnalyzer> make_song_analyzer(SampleRate rate,
+                                                 const AnalyzerModels& models,
+                                                 std::shared_ptr<audio::TagSource> tags) {
+    return prepared<audio::SongAnalyzer>(
+        config_of(rate, models, audio::BeatMethod::pointer, std::move(tags)));
 }
 
 }  // namespace raks::engine

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
+#include "audio/genre/tag_source.hpp"
+#include "audio/genre/tagger_network.hpp"
 #include "audio/music_analyzer.hpp"
 #include "audio/song/song_plan.hpp"
 #include "base/dance_list.hpp"
@@ -29,21 +34,38 @@ struct AnalyzerModels {
     std::shared_ptr<const audio::BeatNetwork> beats;
     std::shared_ptr<const audio::GenreModel> genres;  ///< null: the genre stays unknown
     std::shared_ptr<const DanceList> dances;          ///< the list that MusicState::genre indexes
+    std::shared_ptr<const audio::TaggerNetwork> tagger = {};  ///< null: nothing is tagged
+    /// For the person, to be said once: why there is no tagger although one was asked for. Empty:
+    /// nothing.
+    std::string tagger_note = {};
 };
 
-/// Reads the shipped models. `dances`: the list that the genres are numbered by. Errors: a file
-/// that is missing or bad. Threads: workers.
-[[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(
-    std::shared_ptr<const DanceList> dances);
+/// Whether music is tagged (audio/genre/music_tagger.hpp).
+enum class TaggerUse { off, on };
+/// In the order of TaggerUse.
+inline constexpr std::array<std::string_view, 2> kTaggerUseNames = {"off", "on"};
 
-/// An analyzer for mono samples of this rate. Errors: a rate that is not supported.
+/// Reads the shipped models. `dances`: the list that the genres are numbered by. Errors: a file
+/// that is missing or bad; but without the tagger's weights the program hears all the same, and
+/// AnalyzerModels::tagger_note says so. Threads: workers.
+[[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances,
+                                                            TaggerUse tagger);
+
+/// A tagger that works where the analyzer does; null where there are no weights.
+[[nodiscard]] std::shared_ptr<audio::TagSource> make_tagger(const AnalyzerModels& models);
+
+/// An analyzer for mono samples of this rate. `tags`: takes its sound, see AnalyzerConfig; null:
+/// nothing is tagged. Errors: a rate that is not supported.
 [[nodiscard]] Expected<audio::MusicAnalyzer> make_analyzer(
     SampleRate rate,
     const AnalyzerModels& models,
-    audio::BeatMethod method = audio::BeatMethod::pointer);
+    audio::BeatMethod method = audio::BeatMethod::pointer,
+    std::shared_ptr<audio::TagSource> tags = nullptr);
 
 /// The analyzer of a whole song, for mono samples of this rate. Errors: as make_analyzer.
-[[nodiscard]] Expected<audio::SongAnalyzer> make_song_analyzer(SampleRate rate,
-                                                               const AnalyzerModels& models);
+[[nodiscard]] Expected<audio::SongAnalyzer> make_song_analyzer(
+    SampleRate rate,
+    const AnalyzerModels& models,
+    std::shared_ptr<audio::TagSource> tags = nullptr);
 
 }  // namespace raks::engine

@@ -206,6 +206,10 @@ std::vector<std::string> material_notes(const Settings& settings, const DanceCat
     return notes;
 }
 
+TaggerUse tagger_of(const Settings& settings) {
+    return settings.tagger == "off" ? TaggerUse::off : TaggerUse::on;
+}
+
 motion::Dynamics dynamics_of(const Settings& settings) {
     return settings.dynamics == "off" ? motion::Dynamics::off : motion::Dynamics::on;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/dance_cache.hpp"
 #include "engine/setup/dance_catalogue.hpp"
 #include "engine/setup/settings.hpp"
@@ -54,6 +55,8 @@ namespace raks::engine {
 [[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
                                                       const DanceCatalogue& catalogue);
 
+/// Whether the settings ask for the tagger.
+[[nodiscard]] TaggerUse tagger_of(const Settings& settings);
 /// Whether the settings ask for dynamics.
 [[nodiscard]] motion::Dynamics dynamics_of(const Settings& settings);
 

@@ -34,6 +34,7 @@ struct Settings {
     std::int64_t dancers = 0;                ///< 0: as many as a formation has; [0, 32]
     std::string generator = "trajectories";  ///< or frames: the paper's
     std::string dynamics = "on";             ///< or off: the dance follows nothing but the beat
+    std::string tagger = "on";               ///< or off: no tagger listens along
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]

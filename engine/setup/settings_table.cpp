@@ -119,6 +119,13 @@ const std::array kRows = std::to_array<SettingRow>({
      .manual = "`on`, or `off`: the dance follows nothing but the beat: no sizes, stops, holds and "
                "rests"},
     {.section = "dance",
+     .name = "tagger",
+     .field = &Settings::tagger,
+     .words = Words("on", "off"),
+     .help = "on, or off: the network that knows many kinds of music does not listen along",
+     .option = {"--tagger", kShows | kDance},
+     .manual = "`on`, or `off`: the network that knows many kinds of music does not listen along"},
+    {.section = "dance",
      .name = "seed",
      .field = &Settings::seed,
      .range = {0, 9e15},  // below 2^53, so that a seed survives the comparison in double

@@ -147,6 +147,48 @@ TEST_F(Commands, analyze_tells_tempo_and_beats) {
     EXPECT_GE(hits, wanted * 95 / 100) << wanted;
 }
 
+TEST_F(Commands, analyze_tags_the_music_every_three_seconds) {
+    write_music("drums.wav", 128.0, 10.0, audio::Style::drums);
+    const ProcessResult result = run({"analyze", path("drums.wav"), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    auto document = nlohmann::json::parse(result.out);
+    ASSERT_EQ(document["tags"].size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& point = document["tags"][i];
+        EXPECT_NEAR(point["time"].get<double>(), 2.992 * static_cast<double>(i + 1), 0.02);
+        ASSERT_EQ(point["strongest"].size(), 3U);
+        double before = 1.0;
+        for (const auto& tag : point["strongest"]) {
+            EXPECT_FALSE(tag["tag"].get<std::string>().empty());
+            EXPECT_LE(tag["probability"].get<double>(), before);
+            before = tag["probability"].get<double>();
+        }
+    }
+    // With the whole file before it the tags are the same; without the tagger all else is.
+    const ProcessResult whole = run({"analyze", path("drums.wav"), "--json", "--whole"});
+    EXPECT_EQ(nlohmann::json::parse(whole.out)["tags"], document["tags"]);
+    const ProcessResult off = run({"analyze", path("drums.wav"), "--json", "--tagger", "off"});
+    document.erase("tags");
+    EXPECT_EQ(nlohmann::json::parse(off.out), document);
+}
+
+TEST_F(Commands, without_the_taggers_weights_one_line_is_said_and_the_music_is_heard) {
+    write_music("drums.wav", 128.0, 4.0, audio::Style::drums);
+    const std::string weights = path("data/models/pretrained/msd_musicnn.tagger");
+    std::filesystem::create_directories(std::filesystem::path(weights).parent_path());
+    ASSERT_TRUE(write_file(weights, "raks-tagger\n"));
+    ProcessPlan cut = plan({"analyze", path("drums.wav"), "--json"});
+    cut.environment.emplace_back("RAKS_DATA", path("data"));
+    const ProcessResult result = run_process(cut);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err,
+              "raks: " + weights +
+                  ": is cut short at its head; install Raks again; music is not tagged\n");
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_FALSE(document.contains("tags"));
+    EXPECT_FALSE(document["beats"].empty());
+}
+
 TEST_F(Commands, dance_writes_a_bvh_of_the_musics_length) {
     write_music("salsa.wav", 184.0, 8.0);
     const ProcessResult result =

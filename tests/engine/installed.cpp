@@ -24,7 +24,8 @@ const DanceCatalogue& dances() {
 }
 
 const AnalyzerModels& models() {
-    static const AnalyzerModels loaded = value_of(load_analyzer_models(dances().list()));
+    static const AnalyzerModels loaded =
+        value_of(load_analyzer_models(dances().list(), TaggerUse::off));
     return loaded;
 }
 
