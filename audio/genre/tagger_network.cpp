@@ -113,9 +113,9 @@ RAKS_SIMD_CLONES void convolve_timbre(const TaggerNetwork::Convolution& layer,
         layer, bands, kTagBands - layer.rows + 1, kMiddleReach, layer.rows, kStride, features);
 }
 
-// A filter of n frames, n even, reaches (n - 1) / 2 frames before. `taps_a_row`: kTimeTaps; a stride
-// that the compiler knew would tempt it to keep the rows' common samples in registers, of which
-// there are too few.
+// A filter of n frames, n even, reaches (n - 1) / 2 frames before. `taps_a_row`: kTimeTaps; a
+// stride that the compiler knew would tempt it to keep the rows' common samples in registers, of
+// which there are too few.
 RAKS_SIMD_CLONES void convolve_time(const TaggerNetwork::Convolution& layer,
                                     const float* bands,
                                     std::size_t taps_a_row,

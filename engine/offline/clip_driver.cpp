@@ -16,7 +16,7 @@ void ClipDriver::Performer::on_state(const MusicState& state) noexcept {
 Expected<ClipDriver> ClipDriver::create(SampleRate rate,
                                         const AnalyzerModels& models,
                                         PoseAt pose_at) {
-    auto analyzer = make_analyzer(rate, models);
+    auto analyzer = make_analyzer(rate, models, audio::BeatMethod::pointer, make_tagger(models));
     if (!analyzer) {
         return fail(analyzer.error());
     }

@@ -42,7 +42,7 @@ Expected<OfflineDriver> OfflineDriver::create(SampleRate rate,
                                               const AnalyzerModels& models,
                                               const Cast& cast) {
     // The dancers' bodies and seeds are in the cast; everything that can fail fails here.
-    auto analyzer = make_analyzer(rate, models);
+    auto analyzer = make_analyzer(rate, models, audio::BeatMethod::pointer, make_tagger(models));
     if (!analyzer) {
         return fail(analyzer.error());
     }

@@ -31,7 +31,7 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         }
         return fail(std::move(source.error()));
     }
-    auto analyzer = make_song_analyzer(source->rate(), models);
+    auto analyzer = make_song_analyzer(source->rate(), models, make_tagger(models));
     if (!analyzer) {
         return fail(std::move(analyzer.error()).in(file.string()));
     }
