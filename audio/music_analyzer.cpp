@@ -257,7 +257,7 @@ void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
 // Genre from the newest vector and magnitudes; the dance's tempi go to the tracker.
 void MusicAnalyzer::State::recognize(MusicState& state) noexcept {
     if (recognizer) {
-        recognizer->advance(mfcc, onsets.mel_magnitudes(), state);
+        recognizer->advance(mfcc, onsets.mel_magnitudes(), tagger_word, state);
     } else {
         leave_genre_unknown(state);
     }

@@ -146,6 +146,10 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    options.add_to,
                    "MODEL.json: learn the folder's genres beside those it knows, from the sample "
                    "that was kept of their music");
+    app.add_option("--tagger-for",
+                   options.tagger_for,
+                   "MODEL.json: fit only what the music tagger says of its dances to the folder's "
+                   "music; -o is the model with it");
     app.add_option("--samples",
                    options.sample_kilobytes,
                    "kB of each genre's music that are kept beside the model, for --add-to; 0: none")

@@ -76,6 +76,7 @@ struct GenreOptions {
     std::shared_ptr<const DanceList> dances;  ///< whose music is told apart
     std::filesystem::path output;             ///< model to write, or shard with shards.share_text
     std::filesystem::path add_to;             ///< model that is added to, or empty
+    std::filesystem::path tagger_for;         ///< model that gets the tagger's classes, or empty
     std::filesystem::path cache;              ///< folder that keeps features between runs, or empty
     int sample_kilobytes = static_cast<int>(audio::kMostSampleBytes / 1'000);  ///< kept of a genre
     bool leaves_out_energy = false;  ///< MFCC without C0 and its derivatives

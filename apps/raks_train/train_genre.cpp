@@ -13,6 +13,7 @@
 #include "apps/raks_train/genre_learning.hpp"
 #include "apps/raks_train/genre_material.hpp"
 #include "apps/raks_train/installed_styles.hpp"
+#include "apps/raks_train/tagger_learning.hpp"
 #include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
@@ -85,8 +86,10 @@ Expected<void> check_options(GenreOptions& options) {
         }
         options.shards.share = *share;
     }
-    if (options.output.empty() && !(options.shards.share_text.empty() && options.add_to.empty())) {
-        return fail("--shard and --add-to need -o FILE: where to keep what they make");
+    if (options.output.empty() && !(options.shards.share_text.empty() && options.add_to.empty() &&
+                                    options.tagger_for.empty())) {
+        return fail(
+            "--shard, --add-to and --tagger-for need -o FILE: where to keep what they make");
     }
     if (options.validation.judges_damage &&
         (options.recordings.folder.empty() || options.validation.is_skipped)) {
@@ -194,6 +197,9 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
     options.validation.pair = catalogue->pair();
     if (auto checked = check_options(options); !checked) {
         return checked;
+    }
+    if (!options.tagger_for.empty()) {
+        return learn_tagger(options, command);
     }
     auto network = engine::load_beat_network();
     if (!network) {

@@ -248,6 +248,43 @@ void read_fusion(const Field& field, const FusionParts& parts, GenreModel& model
     }
 }
 
+// The classes that the tagger tells apart are written by name.
+Json tagger_json(const GenreModel& model) {
+    const TaggerClasses& tagger = *model.tagger;
+    Json knows = Json::array();
+    for (std::size_t c = 0; c < model.classes(); ++c) {
+        if (tagger.knows[c]) {
+            knows.push_back(c < model.genres.size() ? model.genres[c] : "");
+        }
+    }
+    return {{"knows", std::move(knows)},
+            {"mean", list_of(tagger.mean)},
+            {"deviation", list_of(tagger.deviation)},
+            {"weights", list_of(tagger.weights)},
+            {"bias", list_of(tagger.bias)}};
+}
+
+// Sizes are checked by validate().
+TaggerClasses read_tagger(const Field& field, const std::vector<std::string>& genres) {
+    TaggerClasses tagger;
+    tagger.mean = floats_of(field["mean"]);
+    tagger.deviation = floats_of(field["deviation"]);
+    tagger.weights = floats_of(field["weights"]);
+    tagger.bias = floats_of(field["bias"]);
+    tagger.knows.assign(genres.size() + 1, false);
+    const Field knows = field["knows"];
+    for (std::size_t i = 0; i < knows.size() && i <= kMostGenres; ++i) {
+        const std::string name = knows[i].text();
+        const auto known = std::find(genres.begin(), genres.end(), name);
+        if (known == genres.end() && !name.empty()) {
+            knows[i].complain(fmt::format("is '{}', which is none of the genres", name));
+            continue;
+        }
+        tagger.knows[static_cast<std::size_t>(known - genres.begin())] = true;
+    }
+    return tagger;
+}
+
 // One set of weights as JSON.
 Json weights_json(const EvidenceWeights& weights) {
     return {{"mfcc", shortened(static_cast<double>(weights.mfcc))},
@@ -299,6 +336,9 @@ std::string genre_text(const GenreModel& model) {
     for (const models::RecurrentNetwork& network : model.networks) {
         json["networks"].push_back(network_json(network));
     }
+    if (model.tagger) {
+        json["tagger"] = tagger_json(model);
+    }
     json["fusion"] = fusion_json(model);
     return models::json_text(json);
 }
@@ -331,6 +371,9 @@ Expected<GenreModel> parse_genre(std::string_view text) {
     model.rhythm = read_network(root["rhythm"], model.classes());
     model.sound = read_network(root["sound"], model.classes());
     model.networks = read_networks(root, version, model.classes());
+    if (root.has("tagger")) {
+        model.tagger = read_tagger(root["tagger"], model.genres);
+    }
     read_fusion(root["fusion"], parts, model);
     // Faults of the fields first: they name the place in the file; validate() checks what fits
     // together.

@@ -162,6 +162,11 @@ Expected<void> validate(const GenreModel& model) {
             return ok;
         }
     }
+    if (model.tagger) {
+        if (auto ok = validate(*model.tagger, model.classes()); !ok) {
+            return ok;
+        }
+    }
     for (std::size_t i = 0; i < model.fusion.size(); ++i) {
         const GenreFusion& fusion = model.fusion[i];
         // Larger weights would make infinities of sums; a NaN fails the comparison.

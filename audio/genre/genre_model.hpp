@@ -10,6 +10,7 @@
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/pattern_network.hpp"
+#include "audio/genre/tagger_classes.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "models/gaussian_hmm.hpp"
@@ -59,6 +60,8 @@ struct GenreModel {
     /// Recurrent networks over every hop (genre_scorer.hpp), 1 to GenreScorer::kMostNetworks.
     /// Inputs: NetworkInput::kSize; outputs: genres, then none.
     std::vector<models::RecurrentNetwork> networks;
+    /// What the music tagger's numbers say of the same classes; none: it is not asked.
+    std::optional<TaggerClasses> tagger;
     std::array<GenreFusion, kGenreWindows.size()> fusion;  ///< by window length, as kGenreWindows
     std::string made_with;                                 ///< the command that trained it
     std::string attribution;  ///< credits of the music that it was trained on

@@ -50,7 +50,10 @@ GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
     dances_.fill(DanceId::none);
     for (std::size_t c = 0; settings_.dances && c < model_->genres.size(); ++c) {
         dances_[c] = settings_.dances->id_of(model_->genres[c]);
+        const DanceInfo* const dance = settings_.dances->find(dances_[c]);
+        bars_[c] = dance != nullptr ? dance->beats_per_bar : 0;
     }
+    song_ = SongJudgement(model_->classes());
     // The window length nearest to the wanted one.
     const auto nearest = [&](int a, int b) {
         const double wanted = settings_.window_seconds / kSegmentSeconds;
@@ -89,6 +92,8 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     next_pattern_ = kGenreWindows.size();
     judged_ = {};
     counted_hops_ = 0;
+    song_.reset();
+    quiet_hops_ = 0;
     // "None of them" with probability 1 until music is known.
     log_chances_.fill(kImprobable);
     log_chances_[model_->genres.size()] = 0.0F;
@@ -98,8 +103,15 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
 
 void GenreRecognizer::advance(const MfccVector& mfcc,
                               std::span<const float, BarPatterns::kMelBands> mel,
+                              const TaggerWord* word,
                               MusicState& state) noexcept RAKS_NONBLOCKING {
-    if (is_genre_evidence(state)) {
+    constexpr auto kEndOfSong = static_cast<HopIndex>(SongJudgement::kEndOfSong * kHopsPerSecond);
+    if (!is_genre_evidence(state)) {
+        if (++quiet_hops_ == kEndOfSong) {
+            song_.reset();
+        }
+    } else {
+        quiet_hops_ = 0;
         score_frame(mfcc);
         const NoiseFloor::Bands& music = noise_.subtract(mel);
         network_scorer_.next(model_->networks, music);
@@ -110,7 +122,7 @@ void GenreRecognizer::advance(const MfccVector& mfcc,
         ++counted_hops_;
         if (counted_hops_ % kBlock ==
             kBlock / 2) {  // not the hop that closes a block: work is spread
-            decide(state);
+            decide(word, state);
         }
     }
     publish(state);
@@ -191,8 +203,26 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     return judgement;
 }
 
+// The mean over the song; what a single kind of evidence says stays as it is.
+void GenreRecognizer::judge_song(const GenreScores::Values& logs,
+                                 double sureness,
+                                 const TaggerWord* word,
+                                 const MusicState& state) noexcept {
+    constexpr float kSureBar = 0.6F;  // confidence of the beat grid
+    if (settings_.evidence != GenreEvidence::fused) {
+        log_chances_ = logs;
+        return;
+    }
+    song_.add(logs, sureness, kBlock / kHopsPerSecond);
+    if (word != nullptr && model_->tagger) {
+        song_.add(*word, *model_->tagger);
+    }
+    const int bar = state.grid.confidence > kSureBar ? state.grid.beats_per_bar : 0;
+    log_chances_ = song_.log_chances(bar, bars_);
+}
+
 // One decision every kBlock hops: scores, then hysteresis.
-void GenreRecognizer::decide(const MusicState& state) noexcept {
+void GenreRecognizer::decide(const TaggerWord* word, const MusicState& state) noexcept {
     constexpr double kStep = kBlock / kHopsPerSecond;
     // Until the wanted window is full, the longest full one is used.
     std::size_t window = window_ + 1;
@@ -204,13 +234,17 @@ void GenreRecognizer::decide(const MusicState& state) noexcept {
         return;
     }
     const std::size_t classes = model_->classes();
-    log_chances_ = judgement.log_chances;
+    const double sureness =
+        static_cast<double>(kGenreWindows[window]) / static_cast<double>(kGenreWindows[window_]);
+    judge_song(judgement.log_chances, sureness, word, state);
     const auto chance = [&](std::size_t c) { return std::exp(log_chances_[c]); };
-    const std::size_t best = static_cast<std::size_t>(
+    const std::size_t none = model_->genres.size();
+    std::size_t best = static_cast<std::size_t>(
         std::max_element(log_chances_.begin(),
                          log_chances_.begin() + static_cast<std::ptrdiff_t>(classes)) -
         log_chances_.begin());
-    const bool is_unknown = best == model_->genres.size();
+    best = chance(best) < settings_.least_chance ? none : best;
+    const bool is_unknown = best == none;
     // Applause, talk, the gap between two songs: sound without a beat does not end a dance. From
     // "none of them" any dance may be entered.
     const bool is_beatless =

@@ -11,6 +11,7 @@
 #include "audio/genre/bar_patterns.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "audio/genre/genre_scorer.hpp"
+#include "audio/genre/song_judgement.hpp"
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -38,16 +39,21 @@ struct GenreSettings {
     double switch_seconds = 0.5;    ///< how long it must lead
     double give_up_seconds = 3.0;   ///< how long "none of them" must lead
     float least_confidence = 0.3F;  ///< of the beat grid: below, a known genre is kept
+    /// Least probability with which a dance is begun: a wrong one costs more than none.
+    float least_chance = 0.4F;
 };
 
-/// Decides every 100 ms which dance the music is for, from the last seconds without silence.
+/// Decides every 100 ms which dance the music is for, from all of the song so far.
 ///
 /// MFCC: one HMM a genre and the forward score of the sliding window (models/sliding_score.hpp:
 /// exact, from products of blocks of 100 ms). Rhythm and sound: two pattern networks on
 /// BarPatterns, every half second. Network: recurrent networks over every hop. The last three take
 /// the magnitudes without hiss (NoiseFloor). The scores are fused by the weights of the window's
-/// length; until the window is full, the longest full one is used. The decision changes only when
-/// another class leads by a margin for some time; silence and sound without a beat keep it.
+/// length; until the window is full, the longest full one is used. What the windows say is averaged
+/// over the song, and so is what the music tagger says, where there is one (song_judgement.hpp). A
+/// single kind of evidence, asked for by itself, is judged by its last window alone, as in the
+/// paper. The decision changes only when another class leads by a margin for some time; silence and
+/// sound without a beat keep it.
 ///
 /// Threads: one. Real-time: all but create. Cost: about 13 us a hop with six genres, bounded: the
 /// models' emissions each hop, the walks over blocks spread over the hops between.
@@ -59,9 +65,11 @@ class GenreRecognizer {
                                                           const GenreSettings& settings);
 
     /// Takes a hop: its normalized MFCC vector and mel magnitudes; of `state` it reads time, grid,
-    /// level and hop. Writes the genre fields of `state`.
+    /// level and hop. Writes the genre fields of `state`. `word`: the tagger's newest; null: there
+    /// is no tagger.
     void advance(const MfccVector& mfcc,
                  std::span<const float, BarPatterns::kMelBands> mel,
+                 const TaggerWord* word,
                  MusicState& state) noexcept RAKS_NONBLOCKING;
     /// For a hop without sound: writes the genre fields as they were.
     void advance_blind(MusicState& state) const noexcept RAKS_NONBLOCKING;
@@ -81,11 +89,16 @@ class GenreRecognizer {
 
     void score_frame(const MfccVector& mfcc) noexcept;
     void score_patterns() noexcept;
-    void decide(const MusicState& state) noexcept;
+    void decide(const TaggerWord* word, const MusicState& state) noexcept;
+    void judge_song(const GenreScores::Values& logs,
+                    double sureness,
+                    const TaggerWord* word,
+                    const MusicState& state) noexcept;
     void publish(MusicState& state) const noexcept;
 
     std::shared_ptr<const GenreModel> model_;
     std::array<DanceId, kMostGenres + 1> dances_{};  // by class
+    std::array<int, kMostGenres + 1> bars_{};        // beats a bar, by class; 0: any
     GenreSettings settings_;
     std::size_t window_ = 0;  // index into kGenreWindows
 
@@ -107,10 +120,12 @@ class GenreRecognizer {
     std::array<Patterns, kGenreWindows.size()> judged_{};  // by window length
     std::size_t next_pattern_ = kGenreWindows.size();      // window length whose turn it is
     std::int64_t counted_hops_ = 0;                        // hops with evidence since reset
-    GenreScores::Values log_chances_{};                    // fused, as last decided on
-    std::size_t decision_ = 0;                             // published class
-    std::size_t challenger_ = 0;                           // class that leads
-    double leads_for_ = 0.0;                               // seconds that it has led
+    SongJudgement song_{1};
+    HopIndex quiet_hops_ = 0;            // since the last hop with evidence
+    GenreScores::Values log_chances_{};  // fused, as last decided on
+    std::size_t decision_ = 0;           // published class
+    std::size_t challenger_ = 0;         // class that leads
+    double leads_for_ = 0.0;             // seconds that it has led
 };
 
 }  // namespace raks::audio
