@@ -336,8 +336,10 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     state_->recognizer.reset();
     if (config.genre_model) {
         features = config.genre_model->features;
-        auto recognizer = GenreRecognizer::create(
-            config.genre_model, {.dances = config.dances, .window_seconds = config.genre_window});
+        auto recognizer = GenreRecognizer::create(config.genre_model,
+                                                  {.dances = config.dances,
+                                                   .window_seconds = config.genre_window,
+                                                   .prior = config.genre_prior});
         if (!recognizer) {
             return fail(recognizer.error());
         }

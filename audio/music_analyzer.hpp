@@ -43,6 +43,8 @@ struct AnalyzerConfig {
     /// this analyzer alone. Null: nothing is tagged.
     std::shared_ptr<TagSource> tags = nullptr;
     double genre_window = 3.0;  ///< seconds of music that the genre is scored on, 0.5 to 10
+    /// What is known of the genre beforehand: GenreSettings::prior. All 0: nothing.
+    GenreLogProbabilities genre_prior{};
 };
 
 /// Beat, tempo, genre, loudness, energy and form of a stream of mono samples, causal and in real

@@ -138,6 +138,8 @@ struct MusicState {
     std::uint8_t genre_class = 0;                   ///< the decided class, with hysteresis
     /// The dance of genre_class in the program's list; none: no dance, or unknown.
     DanceId genre = DanceId::none;
+    /// What the file says of itself decided on genre_class; heard alone it would be another.
+    bool is_genre_told = false;
 
     float loudness_lufs = -120.0F;  ///< momentary (400 ms, EBU R 128), >= -120
     float level_dbfs = -120.0F;     ///< rms of this hop, >= -120

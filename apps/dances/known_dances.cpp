@@ -4,12 +4,12 @@
 
 namespace raks::apps {
 
-Expected<engine::AnalyzerModels> load_models_of_known_dances(engine::TaggerUse tagger) {
+Expected<engine::AnalyzerModels> load_models_of_known_dances(const engine::GenreAids& aids) {
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
         return fail(catalogue.error());
     }
-    return engine::load_analyzer_models(catalogue->list(), tagger);
+    return engine::load_analyzer_models(catalogue->list(), aids);
 }
 
 }  // namespace raks::apps

@@ -5,9 +5,9 @@
 
 namespace raks::apps {
 
-/// The analyzer's models, for all dances that are found.
+/// The analyzer's models, for all dances that are found. `tags`: whether what files say counts.
 /// Errors: those of the catalogue and of the models. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<engine::AnalyzerModels> load_models_of_known_dances(
-    engine::TaggerUse tagger = engine::TaggerUse::off);
+    const engine::GenreAids& aids = {engine::TaggerUse::off, engine::FileTags::read});
 
 }  // namespace raks::apps

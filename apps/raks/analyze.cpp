@@ -23,6 +23,7 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/play_list.hpp"
+#include "engine/setup/told_genre.hpp"
 
 #include <fmt/format.h>
 
@@ -231,14 +232,19 @@ Expected<std::string> analyze_one(const AnalyzeArguments& arguments,
     std::vector<std::string> genres = models.genres->genres;
     genres.emplace_back("unknown");
     AnalysisDocument document(input.string(), source->rate(), std::move(genres));
+    document.set_told(engine::told_by(models, source->tags()));
     std::shared_ptr<audio::TagSource> tags;
     if (models.tagger) {
         document.expect_tags();
         tags = std::make_shared<KeepTags>(models.tagger, document);
     }
     Analyses analyses;
-    if (auto prepared =
-            prepare(arguments, input, source->rate(), models, std::move(tags), analyses);
+    if (auto prepared = prepare(arguments,
+                                input,
+                                source->rate(),
+                                engine::told(models, source->tags()),
+                                std::move(tags),
+                                analyses);
         !prepared) {
         return fail(std::move(prepared.error()));
     }
@@ -321,9 +327,7 @@ ExitCode analyze(const AnalyzeArguments& arguments) {
             return fail(file.error());
         }
     }
-    // Only the document has the tags.
-    const auto models =
-        load_models_of_known_dances(arguments.as_json ? arguments.tagger : engine::TaggerUse::off);
+    const auto models = load_models_of_known_dances(engine::genre_aids_of(arguments.settings));
     if (!models) {
         return fail(models.error());
     }

@@ -155,12 +155,12 @@ enum class FileBeatMethod : std::uint8_t { pointer, whole, paper, paper_whole };
 
 /// Arguments of `raks analyze`.
 struct AnalyzeArguments {
+    engine::Settings settings;                      ///< of the files and the options
     std::vector<Path> inputs;                       ///< files, folders, playlists, pipes
     bool as_json = false;                           ///< one JSON document instead of text
     FileBeatMethod beat = FileBeatMethod::pointer;  ///< how beats are tracked
     Path plot;                                      ///< .svg; empty: none
     Path reference;  ///< beats to compare with in the plot; empty: none
-    engine::TaggerUse tagger = engine::TaggerUse::on;  ///< whether music is tagged
 };
 /// Reports beats, tempo and dance of files; kExitPartly when some could not be read. Errors: none
 /// can be read; those of the plot.

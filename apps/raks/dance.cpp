@@ -183,7 +183,8 @@ ExitCode dance(const DanceArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto driver = open_driver({arguments.input, source->rate(), 0.0, arguments.is_as_live}, *setup);
+    auto driver = open_driver(
+        {arguments.input, source->rate(), 0.0, arguments.is_as_live, source->tags()}, *setup);
     if (!driver) {
         return fail(std::move(driver.error()));
     }

@@ -14,9 +14,11 @@
 #include "engine/offline/song_planner.hpp"
 #include "engine/setup/asked_formation.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/told_genre.hpp"
 #include "engine/show/avatar_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raks::apps {
 namespace {
@@ -145,7 +147,8 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     for (const std::string& note : engine::material_notes(settings, *catalogue)) {
         say(note);
     }
-    auto models = engine::load_analyzer_models(catalogue->list(), engine::tagger_of(settings));
+    auto models =
+        engine::load_analyzer_models(catalogue->list(), engine::genre_aids_of(settings));
     if (!models) {
         return fail(std::move(models.error()));
     }
@@ -190,8 +193,19 @@ Expected<StageSetup> open_formations(engine::Settings& settings) {
     return StageSetup{std::move(*setup), std::move(*formations)};
 }
 
+std::string told_line(const audio::TagEvidence& evidence) {
+    return evidence.dance().empty() ? std::string()
+                                    : fmt::format("the file says {} ({})",
+                                                  engine::told_name(evidence),
+                                                  fmt::join(evidence.words, ", "));
+}
+
 Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const OfflineSetup& setup) {
     const engine::Cast cast = setup.dancers.cast();
+    if (const std::string line = told_line(engine::told_by(setup.models, music.tags));
+        !line.empty()) {
+        say_detail(line);
+    }
     if (!music.is_as_live) {
         ProgressLine progress("analyzing");
         auto plan = engine::plan_song(
@@ -214,7 +228,8 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
         say(music.file.string() +
             ": is longer than an hour, so that it is not analyzed before it plays");
     }
-    auto driver = engine::OfflineDriver::create(music.rate, setup.models, cast);
+    auto driver =
+        engine::OfflineDriver::create(music.rate, engine::told(setup.models, music.tags), cast);
     if (!driver) {
         return fail(std::move(driver.error()).in(music.file.string()));
     }

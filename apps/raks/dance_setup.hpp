@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "audio/genre/tag_evidence.hpp"
+#include "audio/io/audio_tags.hpp"
 #include "base/expected.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -65,15 +67,20 @@ struct OfflineSetup : DanceSetup {
                                                   std::vector<motion::Skeleton> bodies = {
                                                       motion::mannequin_skeleton()});
 
+/// "the file says salsa (Mambo)"; empty: it says nothing.
+[[nodiscard]] std::string told_line(const audio::TagEvidence& evidence);
+
 /// What of a file is danced offline, and how.
 struct OfflineMusic {
     std::filesystem::path file;
     SampleRate rate{48'000};  ///< of the file
     double start = 0.0;       ///< seconds into the file
     bool is_as_live = false;  ///< it is analyzed as it comes, and not all of it first
+    audio::AudioTags tags{};  ///< what it says of itself
 };
-/// A driver for this music. Analyzes all of the file first, with progress on a terminal, unless it
-/// is to be danced as it comes. Errors: those of engine::plan_song and OfflineDriver::create.
+/// A driver for this music. Says where its own words speak for a dance. Analyzes all of the file
+/// first, with progress on a terminal, unless it is to be danced as it comes. Errors: those of
+/// engine::plan_song and OfflineDriver::create.
 [[nodiscard]] Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music,
                                                           const OfflineSetup& setup);
 

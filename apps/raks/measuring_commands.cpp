@@ -157,16 +157,12 @@ void add_analyze(RaksCommands& table) {
     app->add_option("files", a->inputs, "music files, folders, playlists, - for a pipe")
         ->required();
     app->add_flag("--json", a->as_json, "one JSON document");
+    add_setting_options(*app, a->settings, {&Settings::tagger, &Settings::ignore_tags});
     add_beat_option(*app, a->beat);
     app->add_flag_callback(
         "--whole",
         [arguments = a] { arguments->beat = FileBeatMethod::whole; },
         "with the whole file before it, as play and render dance to it");
-    add_named_option(*app,
-                     "--tagger",
-                     a->tagger,
-                     engine::kTaggerUseNames,
-                     "on, or off: the document has no tags");
     auto* plot = app->add_option("--plot", a->plot, "X.svg: a picture of the analysis");
     app->add_option("--reference", a->reference, "beats to draw beside: seconds, bar position")
         ->needs(plot);

@@ -17,6 +17,7 @@
 #include "engine/offline/clip_driver.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
+#include "engine/setup/told_genre.hpp"
 #include "engine/show/show.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/gl/offscreen.hpp"
@@ -353,8 +354,8 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
     const auto in_clip = [length](double time) {
         return length > 0.0 ? std::fmod(time, length) : 0.0;
     };
-    auto driver =
-        engine::ClipDriver::create(source->rate(), setup->models, [clip, in_clip](double time) {
+    auto driver = engine::ClipDriver::create(
+        source->rate(), engine::told(setup->models, source->tags()), [clip, in_clip](double time) {
             return clip->pose_at(in_clip(time));
         });
     if (!driver) {
@@ -411,8 +412,12 @@ ExitCode render(const RenderArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
-    auto driver = open_driver(
-        {arguments.input, source->rate(), arguments.section.start, arguments.is_as_live}, *setup);
+    auto driver = open_driver({arguments.input,
+                               source->rate(),
+                               arguments.section.start,
+                               arguments.is_as_live,
+                               source->tags()},
+                              *setup);
     if (!driver) {
         return fail(std::move(driver.error()));
     }

@@ -145,6 +145,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
     source_ = source;
     wish_.reset();
+    told_dance_ = DanceId::none;
     staging_.begin_anew();
     keep_memory();
     outputs_->follow(graph.feed());
@@ -261,6 +262,7 @@ void StageLoop::advance(double /*seconds*/) {
     if (window_) {
         follow_dance();
     }
+    say_told_dance();
     if (const bool had_ended = std::exchange(had_ended_, has_ended()); had_ended_ && !had_ended) {
         say_detail("at the end of the last file");
     }
@@ -407,6 +409,15 @@ void StageLoop::change_bodies() {
 render::Camera StageLoop::framed(render::Camera preset) const {
     preset.zoom(engine::distance_for(formation_));
     return preset;
+}
+
+// Once for a dance of a song, when the file's own words decide for it; the overlay shows it, too.
+void StageLoop::say_told_dance() {
+    const MusicState& music = graph_->stage().music;
+    if (music.is_genre_told && music.genre != told_dance_) {
+        told_dance_ = music.genre;
+        apps::say(fmt::format("{}, as the file says", dances_->name_of(music.genre)));
+    }
 }
 
 // Goes through the hops since the last picture; after a long pause, through those that are known.

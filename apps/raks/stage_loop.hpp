@@ -83,6 +83,7 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] bool has_director() const override { return true; }
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
     void follow_dance();
+    void say_told_dance();
 
     void bind(engine::ActionDispatcher& actions);
     [[nodiscard]] const std::string& source_name() const;
@@ -117,6 +118,7 @@ class StageLoop final : private engine::WindowContent {
     DanceId selected_dance_ = DanceId::none;  // none: the recognised one
     // What was danced when the last file ended; kept with K, it goes on with the next file.
     DanceId last_dance_ = DanceId::none;
+    DanceId told_dance_ = DanceId::none;  // by the file, as last said
     std::string last_figure_;
     // While run() runs.
     engine::LiveGraph* graph_ = nullptr;

@@ -86,7 +86,7 @@ Expected<void> learn_tagger(const GenreOptions& options, const std::string& comm
     if (!model) {
         return fail(model.error());
     }
-    const auto models = engine::load_analyzer_models(options.dances, engine::TaggerUse::on);
+    const auto models = engine::load_analyzer_models(options.dances, {});
     if (!models || !models->tagger) {
         return fail(models ? Error{models->tagger_note} : models.error());
     }

@@ -80,7 +80,7 @@ void AnalysisDocument::add(const MusicState& state) {
     }
     const double time = rounded(state.time);
     tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
-    genre_.push_back({time, state.genre_class, state.genre_log_probability});
+    genre_.push_back({time, state.genre_class, state.is_genre_told, state.genre_log_probability});
 }
 
 void AnalysisDocument::add_tags(const audio::TaggerWord& word) {
@@ -140,6 +140,9 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
     document["file"] = file_;
     document["duration"] = rounded(to_seconds(duration));
     document["sample_rate"] = rate_.hertz();
+    if (!told_.words.empty()) {
+        document["tags"] = {{"words", told_.words}, {"dance", told_.dance()}};
+    }
     auto& tempo = document["tempo"] = Json::array();
     for (const TempoPoint& point : tempo_) {
         tempo.push_back({{"time", point.time},
@@ -163,6 +166,9 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         }
         genre.push_back(
             {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
+        if (point.is_told) {
+            genre.back()["told"] = true;
+        }
     }
     if (has_tags_) {
         auto& tags = document["tags"] = Json::array();
@@ -203,6 +209,7 @@ std::string AnalysisDocument::to_text(Nanos duration) const {
     }
     text += "\ndance  ";
     text += genre_.empty() ? "unknown" : genres_[genre_.back().label];
+    text += !genre_.empty() && genre_.back().is_told ? ", as the file says" : "";
     return text + "\n";
 }
 

@@ -3,9 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/reports/music_table.hpp"
+#include "audio/genre/tag_evidence.hpp"
 #include "audio/genre/tag_source.hpp"
 #include "base/json.hpp"
 #include "base/music_state.hpp"
@@ -20,6 +22,9 @@ class AnalysisDocument {
  public:
     /// `genres`: names of the classes of MusicState::genre_log_probability, "unknown" last.
     AnalysisDocument(std::string file, SampleRate rate, std::vector<std::string> genres);
+
+    /// What the file says of its dance; without it the document has no `tags`.
+    void set_told(audio::TagEvidence told) { told_ = std::move(told); }
 
     /// Takes the next state; states come in order, one a hop.
     void add(const MusicState& state);
@@ -48,6 +53,7 @@ class AnalysisDocument {
     struct GenrePoint {
         double time;
         std::size_t label;  ///< class
+        bool is_told;       ///< by the file
         GenreLogProbabilities log_probability;
     };
     /// What a row of kMusicTable says once.
@@ -70,6 +76,7 @@ class AnalysisDocument {
     [[nodiscard]] double median_bpm() const;
 
     std::string file_;
+    audio::TagEvidence told_;
     SampleRate rate_;
     std::vector<std::string> genres_;
     std::vector<TempoPoint> tempo_;

@@ -15,6 +15,24 @@ constexpr float kQuiet = -58.0F;   // dBFS, of one hop: below is silence
 constexpr HopIndex kFirstHop = 6;  // no MFCC vector is complete before
 // ln probability of classes that the model lacks, and the lowest one that is published.
 constexpr float kImprobable = -20.0F;
+// What is known beforehand of a dance whose bars are others than those that are heard: nothing,
+// once the beat has been sure and heard for so long.
+constexpr float kSureBeat = 0.6F;
+constexpr std::int64_t kMetreHops = 1000;
+
+bool is_in_threes(int beats_per_bar) noexcept { return beats_per_bar % 3 == 0; }
+
+// So that the exponentials of the first `classes` sum to 1.
+void normalize(std::span<float> log_chances) noexcept {
+    const float most = *std::max_element(log_chances.begin(), log_chances.end());
+    float sum = 0.0F;
+    for (const float each : log_chances) {
+        sum += std::exp(each - most);
+    }
+    for (float& each : log_chances) {
+        each -= most + std::log(sum);
+    }
+}
 
 }  // namespace
 
@@ -97,8 +115,45 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     // "None of them" with probability 1 until music is known.
     log_chances_.fill(kImprobable);
     log_chances_[model_->genres.size()] = 0.0F;
-    decision_ = challenger_ = model_->genres.size();
+    decision_ = challenger_ = heard_ = model_->genres.size();
     leads_for_ = 0.0;
+    begin_with_prior();
+}
+
+// Nothing is heard yet.
+void GenreRecognizer::begin_with_prior() noexcept {
+    const std::span<const float> prior = std::span(settings_.prior).first(model_->classes());
+    const auto best = std::max_element(prior.begin(), prior.end());
+    if (*best > 0.0F) {
+        std::copy(prior.begin(), prior.end(), log_chances_.begin());
+        normalize(std::span(log_chances_).first(prior.size()));
+        decision_ = challenger_ = static_cast<std::size_t>(best - prior.begin());
+    }
+}
+
+// To what was heard: bars of another metre than a dance's take its prior away.
+void GenreRecognizer::add_prior(const BeatGrid& grid) noexcept {
+    const std::size_t classes = model_->classes();
+    const std::span<float> chances = std::span(log_chances_).first(classes);
+    heard_ = static_cast<std::size_t>(std::max_element(chances.begin(), chances.end()) -
+                                      chances.begin());
+    const bool is_metre_known = counted_hops_ >= kMetreHops && grid.confidence > kSureBeat;
+    bool is_changed = false;
+    for (std::size_t c = 0; c < classes; ++c) {
+        const DanceInfo* const dance =
+            settings_.dances ? settings_.dances->find(dances_[c]) : nullptr;
+        const bool is_forbidden =
+            is_metre_known && dance != nullptr &&
+            is_in_threes(dance->beats_per_bar) != is_in_threes(grid.beats_per_bar);
+        if (settings_.prior[c] != 0.0F && !is_forbidden) {
+            chances[c] += settings_.prior[c];
+            is_changed = true;
+        }
+    }
+    // Without a prior the values stay as they are, to the bit.
+    if (is_changed) {
+        normalize(chances);
+    }
 }
 
 void GenreRecognizer::advance(const MfccVector& mfcc,
@@ -237,6 +292,7 @@ void GenreRecognizer::decide(const TaggerWord* word, const MusicState& state) no
     const double sureness =
         static_cast<double>(kGenreWindows[window]) / static_cast<double>(kGenreWindows[window_]);
     judge_song(judgement.log_chances, sureness, word, state);
+    add_prior(state.grid);
     const auto chance = [&](std::size_t c) { return std::exp(log_chances_[c]); };
     const std::size_t none = model_->genres.size();
     std::size_t best = static_cast<std::size_t>(
@@ -272,6 +328,7 @@ void GenreRecognizer::publish(MusicState& state) const noexcept {
     }
     state.genre_class = static_cast<std::uint8_t>(decision_);
     state.genre = dances_[decision_];
+    state.is_genre_told = settings_.prior[decision_] > 0.0F && heard_ != decision_;
 }
 
 }  // namespace raks::audio

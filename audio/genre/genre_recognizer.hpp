@@ -41,6 +41,10 @@ struct GenreSettings {
     float least_confidence = 0.3F;  ///< of the beat grid: below, a known genre is kept
     /// Least probability with which a dance is begun: a wrong one costs more than none.
     float least_chance = 0.4F;
+    /// What is known of the music beforehand, by class of the model, in nats: it is added to the ln
+    /// probabilities of what is heard, and decides alone until something is. All 0: nothing is
+    /// known (audio/genre/tag_evidence.hpp makes one of a file's tags).
+    GenreLogProbabilities prior{};
 };
 
 /// Decides every 100 ms which dance the music is for, from all of the song so far.
@@ -95,6 +99,8 @@ class GenreRecognizer {
                     const TaggerWord* word,
                     const MusicState& state) noexcept;
     void publish(MusicState& state) const noexcept;
+    void begin_with_prior() noexcept;
+    void add_prior(const BeatGrid& grid) noexcept;
 
     std::shared_ptr<const GenreModel> model_;
     std::array<DanceId, kMostGenres + 1> dances_{};  // by class
@@ -126,6 +132,7 @@ class GenreRecognizer {
     std::size_t decision_ = 0;           // published class
     std::size_t challenger_ = 0;         // class that leads
     double leads_for_ = 0.0;             // seconds that it has led
+    std::size_t heard_ = 0;              // class that is heard, without the prior
 };
 
 }  // namespace raks::audio

@@ -125,6 +125,19 @@ GenreLogProbabilities mean_probabilities(std::span<const MusicState> states, std
     return means;
 }
 
+// Whether a section's class was mostly told and not heard. Silence, and what was heard as another
+// class, tell nothing.
+bool is_mostly_told(std::span<const MusicState> states, std::uint8_t genre_class) {
+    std::size_t told = 0;
+    std::size_t heard = 0;
+    for (const MusicState& state : states) {
+        if (!state.is_silent && state.genre_class == genre_class) {
+            ++(state.is_genre_told ? told : heard);
+        }
+    }
+    return told > heard;
+}
+
 // The dance of each section, under the class's number in the program's list.
 void write_dances(const std::vector<SongSection>& sections,
                   const std::vector<DanceId>& dances,
@@ -134,10 +147,12 @@ void write_dances(const std::vector<SongSection>& sections,
         const std::size_t end = i + 1 < sections.size() ? sections[i + 1].first_hop : states.size();
         const std::span<MusicState> section = states.subspan(first, end - first);
         const GenreLogProbabilities means = mean_probabilities(section, dances.size());
+        const bool is_told = is_mostly_told(section, sections[i].genre_class);
         for (MusicState& state : section) {
             state.genre_log_probability = means;
             state.genre_class = sections[i].genre_class;
             state.genre = dances[sections[i].genre_class];
+            state.is_genre_told = is_told;
         }
     }
 }

@@ -3,13 +3,15 @@
 #include <utility>
 
 #include "audio/io/hearing.hpp"
+#include "engine/setup/told_genre.hpp"
 
 namespace raks::engine {
 
 Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::FilePlayer> player,
                                                      const AnalyzerModels& models) {
     // The analyzer works at the file's rate: what it computes does not depend on the device.
-    auto analysis = AnalysisStage::create(player->first_info().rate, models);
+    const audio::AudioFileInfo& info = player->first_info();
+    auto analysis = AnalysisStage::create(info.rate, told(models, info.tags));
     if (!analysis) {
         return fail(analysis.error());
     }

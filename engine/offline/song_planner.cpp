@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/offline/music_source.hpp"
+#include "engine/setup/told_genre.hpp"
 
 namespace raks::engine {
 namespace {
@@ -31,7 +32,8 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         }
         return fail(std::move(source.error()));
     }
-    auto analyzer = make_song_analyzer(source->rate(), models, make_tagger(models));
+    auto analyzer = make_song_analyzer(
+        source->rate(), told(models, source->tags()), make_tagger(models));
     if (!analyzer) {
         return fail(std::move(analyzer.error()).in(file.string()));
     }

@@ -7,6 +7,7 @@
 #include "audio/genre/music_tagger.hpp"
 #include "audio/genre/tagger_file.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/setup/told_genre.hpp"
 
 namespace raks::engine {
 
@@ -48,7 +49,7 @@ Expected<std::shared_ptr<const audio::TaggerNetwork>> load_shipped_tagger() {
 }  // namespace
 
 Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances,
-                                              TaggerUse tagger) {
+                                              const GenreAids& aids) {
     auto beats = load_beat_network();
     if (!beats) {
         return fail(beats.error());
@@ -58,7 +59,14 @@ Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> d
         return fail(genres.error());
     }
     AnalyzerModels models{std::move(*beats), std::move(*genres), std::move(dances)};
-    if (tagger == TaggerUse::on) {
+    if (aids.tags == FileTags::read) {
+        auto words = load_told_genres(*models.dances, models.genres.get());
+        if (!words) {
+            return fail(words.error());
+        }
+        models.words = std::move(*words);
+    }
+    if (aids.tagger == TaggerUse::on) {
         if (auto network = load_shipped_tagger()) {
             models.tagger = std::move(*network);
         } else {
@@ -85,6 +93,7 @@ audio::AnalyzerConfig config_of(SampleRate rate,
     config.genre_model = models.genres;
     config.dances = models.dances;
     config.tags = std::move(tags);
+    config.genre_prior = models.genre_prior;
     return config;
 }
 

@@ -8,6 +8,7 @@
 
 #include "audio/beat/network/beat_network.hpp"
 #include "audio/genre/genre_model.hpp"
+#include "audio/genre/genre_words.hpp"
 #include "audio/genre/tag_source.hpp"
 #include "audio/genre/tagger_network.hpp"
 #include "audio/music_analyzer.hpp"
@@ -34,6 +35,10 @@ struct AnalyzerModels {
     std::shared_ptr<const audio::BeatNetwork> beats;
     std::shared_ptr<const audio::GenreModel> genres;  ///< null: the genre stays unknown
     std::shared_ptr<const DanceList> dances;          ///< the list that MusicState::genre indexes
+    /// What words in a file's tags say (engine/setup/told_genre.hpp); null: tags say nothing.
+    std::shared_ptr<const audio::GenreWords> words = nullptr;
+    /// Of one file, what its tags say: AnalyzerConfig::genre_prior.
+    GenreLogProbabilities genre_prior{};
     std::shared_ptr<const audio::TaggerNetwork> tagger = {};  ///< null: nothing is tagged
     /// For the person, to be said once: why there is no tagger although one was asked for. Empty:
     /// nothing.
@@ -44,12 +49,20 @@ struct AnalyzerModels {
 enum class TaggerUse { off, on };
 /// In the order of TaggerUse.
 inline constexpr std::array<std::string_view, 2> kTaggerUseNames = {"off", "on"};
+/// Whether what a file says of its dance counts.
+enum class FileTags { read, ignored };
 
-/// Reads the shipped models. `dances`: the list that the genres are numbered by. Errors: a file
-/// that is missing or bad; but without the tagger's weights the program hears all the same, and
+/// What helps to tell a dance, beside the parts of the genre model.
+struct GenreAids {
+    TaggerUse tagger = TaggerUse::on;
+    FileTags tags = FileTags::read;  ///< of files
+};
+
+/// Reads the shipped models, and of what helps them what is asked for. `dances`: the list that the
+/// genres are numbered by. Errors: a file that is missing or bad; but without the tagger's weights the program hears all the same, and
 /// AnalyzerModels::tagger_note says so. Threads: workers.
 [[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances,
-                                                            TaggerUse tagger);
+                                                            const GenreAids& aids);
 
 /// A tagger that works where the analyzer does; null where there are no weights.
 [[nodiscard]] std::shared_ptr<audio::TagSource> make_tagger(const AnalyzerModels& models);

@@ -206,8 +206,9 @@ std::vector<std::string> material_notes(const Settings& settings, const DanceCat
     return notes;
 }
 
-TaggerUse tagger_of(const Settings& settings) {
-    return settings.tagger == "off" ? TaggerUse::off : TaggerUse::on;
+GenreAids genre_aids_of(const Settings& settings) {
+    return {settings.tagger == "off" ? TaggerUse::off : TaggerUse::on,
+            settings.ignore_tags ? FileTags::ignored : FileTags::read};
 }
 
 motion::Dynamics dynamics_of(const Settings& settings) {

@@ -55,8 +55,8 @@ namespace raks::engine {
 [[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
                                                       const DanceCatalogue& catalogue);
 
-/// Whether the settings ask for the tagger.
-[[nodiscard]] TaggerUse tagger_of(const Settings& settings);
+/// What the settings allow to help to tell a dance.
+[[nodiscard]] GenreAids genre_aids_of(const Settings& settings);
 /// Whether the settings ask for dynamics.
 [[nodiscard]] motion::Dynamics dynamics_of(const Settings& settings);
 

@@ -35,6 +35,7 @@ struct Settings {
     std::string generator = "trajectories";  ///< or frames: the paper's
     std::string dynamics = "on";             ///< or off: the dance follows nothing but the beat
     std::string tagger = "on";               ///< or off: no tagger listens along
+    bool ignore_tags = false;                ///< what a file says of its own dance does not count
     std::int64_t seed = 1;                   ///< same seed, same dance; >= 0
     double pose_lead_ms = 0.0;  ///< pictures show the pose this much ahead; [-200, 200]
     // [picture]

@@ -114,6 +114,7 @@ void describe_moment(const ShownMoment& shown,
     state.bar_position = grid.bar_position(position);
     state.is_silent = shown.music.is_silent;
     state.genre = dances.title_of(shown.music.genre);
+    state.is_genre_told = shown.music.is_genre_told;
     // Posteriors are stored as natural logarithms.
     state.genre_posterior = std::exp(shown.music.genre_log_probability[shown.music.genre_class]);
     const auto& figure = shown.dancer.figure;

@@ -13,11 +13,14 @@ void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
     const OverlayFonts& fonts = pen.fonts();
     const float x = box.x + kInner;
     const float right = box.right() - kInner;
-    pen.text(fonts.small, x, box.y + 14.0F, palette::kDim, "MUSIC");
+    const float label = pen.text(fonts.small, x, box.y + 14.0F, palette::kDim, "MUSIC");
     // The classifier's class "unknown" is shown in words, without a posterior; so is silence, which
     // is no music that could be recognised.
     const bool is_known = !state.is_silent && !state.genre.empty() && state.genre != "unknown";
     const float posterior = is_known ? state.genre_posterior : 0.0F;
+    if (is_known && state.is_genre_told) {
+        pen.text(fonts.small, x + label + 8.0F, box.y + 14.0F, palette::kText, "as the file says");
+    }
     if (is_known) {
         pen.text(fonts.small,
                  right,

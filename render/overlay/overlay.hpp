@@ -66,6 +66,7 @@ struct OverlayState {
     // Music and dance.
     std::string_view genre{};      ///< "salsa"
     float genre_posterior = 0.0F;  ///< [0, 1]
+    bool is_genre_told = false;    ///< reads "as the file says"
     std::string_view dance{};      ///< "salsa"; empty: none
     std::string_view figure{};     ///< "basic step"
     int figure_count = 0;          ///< 1 to figure_counts; 0: none

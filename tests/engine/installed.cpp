@@ -25,7 +25,7 @@ const DanceCatalogue& dances() {
 
 const AnalyzerModels& models() {
     static const AnalyzerModels loaded =
-        value_of(load_analyzer_models(dances().list(), TaggerUse::off));
+        value_of(load_analyzer_models(dances().list(), {TaggerUse::off, FileTags::read}));
     return loaded;
 }
 
