@@ -167,7 +167,7 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         genre.push_back(
             {{"time", point.time}, {"label", genres_[point.label]}, {"posterior", posterior}});
         if (point.is_told) {
-            genre.back()["told"] = true;
+            genre.back()["by_tags"] = true;
         }
     }
     if (has_tags_) {

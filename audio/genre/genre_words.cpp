@@ -26,6 +26,9 @@ constexpr std::string_view kPlainLatin =
     "rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
 static_assert(kPlainLatin.size() == 0x180 - 0xC0);
 
+// Where a row stands, and its words.
+using Line = std::pair<std::size_t, std::string>;
+
 // What a character does to the words around it.
 enum class Sign { letter, gap, left_out, end_of_part };
 
@@ -208,7 +211,7 @@ Expected<GenreWords> parse_genre_words(std::string_view toml,
             complaints.complain(*node, fmt::format("{} must be a table", kPlaceNames[place]));
             continue;
         }
-        std::map<std::string, std::size_t> lines;  // of this file's rows
+        std::map<std::string, Line> lines;  // of this file's rows
         for (const auto& [words, value] : *node->as_table()) {
             const std::string name = printable(words.str(), 60);
             const std::string key = key_of(words.str());
@@ -218,11 +221,12 @@ Expected<GenreWords> parse_genre_words(std::string_view toml,
                 complaints.complain(line, "must be one word or phrase");
                 continue;
             }
-            // TOML itself refuses the same letters twice.
-            if (const auto [twin, is_new] = lines.emplace(key, line); !is_new) {
-                complaints.complain(
-                    std::max(line, twin->second),
-                    fmt::format("is the same as the row of line {}", std::min(line, twin->second)));
+            // TOML itself refuses the same letters twice. Its tables are sorted by their keys.
+            if (const auto [twin, is_new] = lines.emplace(key, Line{line, name}); !is_new) {
+                const auto [first, second] = std::minmax({twin->second, Line{line, name}});
+                complaints.enter(fmt::format("\"{}\"", second.second));
+                complaints.complain(second.first,
+                                    fmt::format("is the same as the row of line {}", first.first));
             }
             const std::string_view dance = known[complaints.word(value, "dance", known)];
             under.rows_[place][key] = {std::string(words.str()), std::string(dance)};

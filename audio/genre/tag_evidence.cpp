@@ -28,8 +28,9 @@ void find_rows(Place place,
                std::string_view text,
                const GenreWords& table,
                std::vector<GenreWords::Found>& rows) {
+    const bool has_sign = text.find('-') != std::string_view::npos;  // "-1": no genre is known
     for (const auto& part : parts_of(text.substr(0, kMostTextBytes))) {
-        const bool is_counted = place == Place::genre && is_number(part);
+        const bool is_counted = place == Place::genre && is_number(part) && !has_sign;
         for (std::size_t at = 0; at < part.size();) {
             auto found = table.longest(is_counted ? Place::number : place, part, at);
             at += std::max<std::size_t>(found.count, 1);

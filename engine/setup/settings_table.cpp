@@ -128,7 +128,9 @@ const std::array kRows = std::to_array<SettingRow>({
      .name = "ignore_tags",
      .field = &Settings::ignore_tags,
      .help = "the dance follows what is heard alone, and not what the file says of itself",
-     .option = {"--ignore-tags", kPlay | kRender | kDance}},
+     .option = {"--ignore-tags", kPlay | kRender | kDance},
+     .manual = "the dance follows what is heard alone, and not what the file says of itself "
+               "([files.md](files.md)); also an option of `raks analyze`"},
     {.section = "dance",
      .name = "seed",
      .field = &Settings::seed,

@@ -35,6 +35,7 @@ struct Reader {
 bool read_settings(std::string_view text);
 bool read_devices(std::string_view text);       ///< what `raks calibrate` keeps
 bool read_dances(std::string_view text);        ///< and writes them again
+bool read_genre_words(std::string_view text);   ///< and what it says of its own words
 bool read_grammar(std::string_view text);       ///< and chooses figures by it
 bool read_styles(std::string_view text);        ///< of music
 bool read_choreography(std::string_view text);  ///< and bakes every figure

@@ -1,6 +1,8 @@
 // What is done with texts that are TOML.
+#include <array>
 #include <string>
 
+#include "audio/genre/tag_evidence.hpp"
 #include "audio/music/styles/style_book_reader.hpp"
 #include "base/dance_list.hpp"
 #include "engine/setup/device_offsets.hpp"
@@ -34,6 +36,19 @@ bool read_dances(std::string_view text) {
     const auto dances = parse_dances(text, "x.toml", {});
     must(!dances || parse_dances(dances_text(*dances), "y.toml", {}));
     return dances.has_value();
+}
+
+bool read_genre_words(std::string_view text) {
+    constexpr std::array<std::string_view, 7> kNames = {
+        "salsa", "belly", "house", "hiphop", "rock", "waltz", "disco"};
+    const auto words = audio::parse_genre_words(text, "x.toml", kNames);
+    // The text as tags, too, whatever it is.
+    const audio::TagEvidence evidence =
+        audio::evidence_of({.genre = text, .title = text}, words ? *words : audio::GenreWords());
+    for (const auto& [dance, strength] : evidence.dances) {
+        must(strength > 0.0F && strength <= audio::kGenreTagStrength);
+    }
+    return words.has_value();
 }
 
 bool read_grammar(std::string_view text) {

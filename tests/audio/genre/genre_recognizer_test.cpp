@@ -188,5 +188,65 @@ TEST(GenreRecognizer, bad_settings_and_models_are_refused) {
     EXPECT_EQ(validate(bad).error().message, "rhythm.deviation[3] is 0, must be > 0");
 }
 
+/// Told of a class of the small model: salsa, house, none of them.
+GenreSettings told(std::size_t told_class, float strength = 2.5F) {
+    GenreSettings settings;
+    settings.prior[told_class] = strength;
+    return settings;
+}
+
+TEST(GenreRecognizer, what_is_told_decides_until_something_is_heard) {
+    Stage stage(told(1));
+    stage.play(0.02, kHouse);
+    EXPECT_EQ(stage.now(), shipped::house);
+    EXPECT_TRUE(stage.states().back().is_genre_told);
+    EXPECT_NEAR(stage.chance(1), std::exp(2.5) / (std::exp(2.5) + 2.0), 1e-5);
+    stage.play(6.0, kHouse);
+    EXPECT_EQ(stage.now(), shipped::house);
+    EXPECT_FALSE(stage.states().back().is_genre_told) << "heard, too";
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        sum += stage.chance(c);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-5);
+    stage.recognizer().reset();
+    stage.play(0.02, kHouse);
+    EXPECT_TRUE(stage.states().back().is_genre_told);
+}
+
+TEST(GenreRecognizer, what_is_heard_outvotes_what_is_told) {
+    Stage stage(told(1));
+    stage.play(20.0, kSalsa);
+    EXPECT_EQ(stage.now(), shipped::salsa);
+    EXPECT_FALSE(stage.states().back().is_genre_told);
+    Stage none(told(2));
+    none.play(0.02, kSalsa);
+    EXPECT_EQ(none.now(), DanceId::none);
+    none.play(20.0, kSalsa);
+    EXPECT_EQ(none.now(), shipped::salsa);
+}
+
+TEST(GenreRecognizer, nothing_told_changes_no_bit) {
+    Stage plain;
+    Stage untold(told(0, 0.0F));
+    plain.play(5.0, kHouse);
+    untold.play(5.0, kHouse);
+    EXPECT_EQ(plain.states(), untold.states());
+}
+
+// A waltz that is told, to bars of four that are sure: what is told is not believed any more.
+TEST(GenreRecognizer, bars_of_another_metre_forbid_what_is_told) {
+    GenreModel model = test::small_genre_model();
+    model.genres[1] = "waltz";
+    Stage stage(told(1, 60.0F), model);
+    stage.play(9.0, kSalsa);
+    EXPECT_EQ(stage.now(), shipped::waltz);
+    EXPECT_TRUE(stage.states().back().is_genre_told);
+    stage.play(5.0, kSalsa, -20.0F, 0.5F);
+    EXPECT_EQ(stage.now(), shipped::waltz) << "the beat is not sure";
+    stage.play(2.0, kSalsa);
+    EXPECT_EQ(stage.now(), shipped::salsa);
+}
+
 }  // namespace
 }  // namespace raks::audio
