@@ -154,6 +154,41 @@ std::string key_of(std::string_view words) {
     return parts.size() == 1 ? fmt::format("{}", fmt::join(parts.front(), " ")) : std::string();
 }
 
+// A row as the file has it.
+struct TableRow {
+    std::string key;  // its words as they are compared
+    std::string words;
+    std::string dance;
+};
+
+// `known`: what a row may say.
+std::vector<TableRow> rows_of_table(const toml::table& table,
+                                    std::span<const std::string_view> known,
+                                    TomlComplaints& complaints) {
+    std::vector<TableRow> rows;
+    std::map<std::string, Line> lines;
+    for (const auto& [words, value] : table) {
+        const Line here{words.source().begin.line, printable(words.str(), 60)};
+        complaints.enter(fmt::format("\"{}\"", here.second));
+        std::string key = key_of(words.str());
+        if (key.empty()) {
+            complaints.complain(here.first, "must be one word or phrase");
+            continue;
+        }
+        // TOML itself refuses the same letters twice. Its tables are sorted by their keys.
+        if (const auto [twin, is_new] = lines.emplace(key, here); !is_new) {
+            const auto [first, second] = std::minmax({twin->second, here});
+            complaints.enter(fmt::format("\"{}\"", second.second));
+            complaints.complain(second.first,
+                                fmt::format("is the same as the row of line {}", first.first));
+        }
+        const std::string_view dance = known[complaints.word(value, "dance", known)];
+        rows.push_back({std::move(key), std::string(words.str()), std::string(dance)});
+    }
+    complaints.enter("");
+    return rows;
+}
+
 }  // namespace
 
 std::vector<std::vector<std::string>> parts_of(std::string_view text) {
@@ -204,37 +239,15 @@ Expected<GenreWords> parse_genre_words(std::string_view toml,
     known.insert(known.end(), {GenreWords::kFallback, GenreWords::kNothing});
     for (std::size_t place = 0; place < kPlaceNames.size(); ++place) {
         const toml::node* const node = root->get(kPlaceNames[place]);
-        if (node == nullptr) {
-            continue;
-        }
-        if (!node->is_table()) {
+        if (node != nullptr && !node->is_table()) {
             complaints.complain(*node, fmt::format("{} must be a table", kPlaceNames[place]));
-            continue;
-        }
-        std::map<std::string, Line> lines;  // of this file's rows
-        for (const auto& [words, value] : *node->as_table()) {
-            const std::string name = printable(words.str(), 60);
-            const std::string key = key_of(words.str());
-            const std::size_t line = words.source().begin.line;
-            complaints.enter(fmt::format("\"{}\"", name));
-            if (key.empty()) {
-                complaints.complain(line, "must be one word or phrase");
-                continue;
+        } else if (node != nullptr) {
+            for (TableRow& row : rows_of_table(*node->as_table(), known, complaints)) {
+                const auto words = std::count(row.key.begin(), row.key.end(), ' ') + 1;
+                under.most_words_ = std::max(under.most_words_, static_cast<std::size_t>(words));
+                under.rows_[place][row.key] = {std::move(row.words), std::move(row.dance)};
             }
-            // TOML itself refuses the same letters twice. Its tables are sorted by their keys.
-            if (const auto [twin, is_new] = lines.emplace(key, Line{line, name}); !is_new) {
-                const auto [first, second] = std::minmax({twin->second, Line{line, name}});
-                complaints.enter(fmt::format("\"{}\"", second.second));
-                complaints.complain(second.first,
-                                    fmt::format("is the same as the row of line {}", first.first));
-            }
-            const std::string_view dance = known[complaints.word(value, "dance", known)];
-            under.rows_[place][key] = {std::string(words.str()), std::string(dance)};
-            under.most_words_ = std::max<std::size_t>(
-                under.most_words_,
-                static_cast<std::size_t>(std::count(key.begin(), key.end(), ' ')) + 1);
         }
-        complaints.enter("");
     }
     return complaints.is_sound() ? Expected<GenreWords>(std::move(under))
                                  : fail(complaints.fault());
