@@ -171,7 +171,7 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
         }
     }
     if (has_tags_) {
-        auto& tags = document["tags"] = Json::array();
+        auto& tags = document["tagger"] = Json::array();
         for (const TagPoint& point : tags_) {
             Json strongest = Json::array();
             for (std::size_t i = 0; i < kStrongest; ++i) {

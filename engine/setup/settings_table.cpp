@@ -125,6 +125,7 @@ const std::array kRows = std::to_array<SettingRow>({
      .help = "on, or off: the network that knows many kinds of music does not listen along",
      .option = {"--tagger", kShows | kDance},
      .manual = "`on`, or `off`: the network that knows many kinds of music does not listen along"},
+    {.section = "dance",
      .name = "ignore_tags",
      .field = &Settings::ignore_tags,
      .help = "the dance follows what is heard alone, and not what the file says of itself",

@@ -152,9 +152,9 @@ TEST_F(Commands, analyze_tags_the_music_every_three_seconds) {
     const ProcessResult result = run({"analyze", path("drums.wav"), "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     auto document = nlohmann::json::parse(result.out);
-    ASSERT_EQ(document["tags"].size(), 3U);
+    ASSERT_EQ(document["tagger"].size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto& point = document["tags"][i];
+        const auto& point = document["tagger"][i];
         EXPECT_NEAR(point["time"].get<double>(), 2.992 * static_cast<double>(i + 1), 0.02);
         ASSERT_EQ(point["strongest"].size(), 3U);
         double before = 1.0;
@@ -166,9 +166,9 @@ TEST_F(Commands, analyze_tags_the_music_every_three_seconds) {
     }
     // With the whole file before it the tags are the same; without the tagger all else is.
     const ProcessResult whole = run({"analyze", path("drums.wav"), "--json", "--whole"});
-    EXPECT_EQ(nlohmann::json::parse(whole.out)["tags"], document["tags"]);
+    EXPECT_EQ(nlohmann::json::parse(whole.out)["tagger"], document["tagger"]);
     const ProcessResult off = run({"analyze", path("drums.wav"), "--json", "--tagger", "off"});
-    document.erase("tags");
+    document.erase("tagger");
     EXPECT_EQ(nlohmann::json::parse(off.out), document);
 }
 
@@ -185,7 +185,7 @@ TEST_F(Commands, without_the_taggers_weights_one_line_is_said_and_the_music_is_h
               "raks: " + weights +
                   ": is cut short at its head; install Raks again; music is not tagged\n");
     const auto document = nlohmann::json::parse(result.out);
-    EXPECT_FALSE(document.contains("tags"));
+    EXPECT_FALSE(document.contains("tagger"));
     EXPECT_FALSE(document["beats"].empty());
 }
 
