@@ -22,6 +22,7 @@
 #include "engine/offline/last_hops.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+#include "engine/setup/dance_files.hpp"
 #include "engine/setup/play_list.hpp"
 #include "engine/setup/told_genre.hpp"
 

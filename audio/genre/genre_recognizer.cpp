@@ -269,11 +269,13 @@ void GenreRecognizer::judge_song(const GenreScores::Values& logs,
         return;
     }
     song_.add(logs, sureness, kBlock / kHopsPerSecond);
-    if (word != nullptr && model_->tagger) {
+    const bool has_tagger = word != nullptr && model_->tagger;
+    if (has_tagger) {
         song_.add(*word, *model_->tagger);
     }
     const int bar = state.grid.confidence > kSureBar ? state.grid.beats_per_bar : 0;
-    log_chances_ = song_.log_chances(bar, bars_);
+    using Asked = SongJudgement::Asked;
+    log_chances_ = song_.log_chances(has_tagger ? Asked::both : Asked::own_parts, bar, bars_);
 }
 
 // One decision every kBlock hops: scores, then hysteresis.

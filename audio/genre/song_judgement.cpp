@@ -12,9 +12,13 @@ namespace {
 constexpr float kLeast = -8.0F;
 // What a bar that the dance does not have takes off, in nats.
 constexpr float kOtherBar = 3.0F;
-// Seconds for which the last seconds must speak for another class, and in nats how much more.
-constexpr double kAnother = 12.0;
-constexpr float kAnotherLead = 1.0F;
+// What the two have to say, fitted on clips of other sources (docs/measurements/genre.md).
+constexpr float kOwnWeight = 0.5F;
+constexpr float kTaggerWeight = 0.75F;
+// A moment speaks by so many nats for another class at most; another song is told by so many nats
+// times seconds: in two seconds where all speaks for it.
+constexpr float kMostOfMoment = 4.0F;
+constexpr double kAnother = 8.0;
 
 }  // namespace
 
@@ -36,8 +40,7 @@ void SongJudgement::Sum::add_to(float factor, Values& out, std::size_t classes) 
 void SongJudgement::reset() noexcept RAKS_NONBLOCKING {
     own_ = {};
     tags_ = {};
-    lately_ = {};
-    other_for_ = 0.0;
+    others_ = {};
 }
 
 std::size_t SongJudgement::best_of(const Sum& own) const noexcept {
@@ -49,31 +52,31 @@ void SongJudgement::add(const Values& logs,
                         double sureness,
                         double seconds) noexcept RAKS_NONBLOCKING {
     const double weight = seconds * sureness;
-    watch_for_another(logs, weight, seconds);
     own_.add(logs, weight);
+    watch_for_another(logs, weight, seconds);
 }
 
-// A song whose last seconds were all for another class than its mean is another song.
 void SongJudgement::watch_for_another(const Values& logs, double weight, double seconds) noexcept {
-    const std::size_t song = best_of(own_);
-    const auto end = logs.begin() + static_cast<std::ptrdiff_t>(classes_);
-    const auto now = static_cast<std::size_t>(std::max_element(logs.begin(), end) - logs.begin());
-    if (now == song || logs[now] < logs[song] + kAnotherLead) {
-        lately_ = {};
-        other_for_ = 0.0;
+    if (!(own_.weight > 0.0)) {
         return;
     }
-    if (now != other_) {
-        lately_ = {};
-        other_for_ = 0.0;
-        other_ = now;
-    }
-    lately_.add(logs, weight);
-    other_for_ += seconds;
-    if (other_for_ >= kAnother) {
-        const Sum begun = lately_;
-        reset();
-        own_ = begun;
+    const std::size_t song = best_of(own_);
+    for (std::size_t c = 0; c < classes_; ++c) {
+        Other& other = others_[c];
+        const float lead = std::max(kLeast, logs[c]) - std::max(kLeast, logs[song]);
+        other.nats +=
+            seconds * static_cast<double>(std::clamp(lead, -kMostOfMoment, kMostOfMoment));
+        if (c == song || other.nats <= 0.0) {
+            other = {};
+            continue;
+        }
+        other.since.add(logs, weight);
+        if (other.nats >= kAnother) {
+            const Sum begun = other.since;
+            reset();
+            own_ = begun;
+            return;
+        }
     }
 }
 
@@ -90,14 +93,14 @@ void SongJudgement::add(const TaggerWord& word,
 }
 
 SongJudgement::Values SongJudgement::log_chances(
-    int beats_per_bar, std::span<const int> bars) const noexcept RAKS_NONBLOCKING {
+    Asked asked, int beats_per_bar, std::span<const int> bars) const noexcept RAKS_NONBLOCKING {
     Values logs{};
     if (!(own_.weight > 0.0)) {
         logs.fill(2.0F * kLeast);
         logs[classes_ - 1] = 0.0F;
         return logs;
     }
-    own_.add_to(kOwnWeight, logs, classes_);
+    own_.add_to(asked == Asked::both ? kOwnWeight : 1.0F, logs, classes_);
     tags_.add_to(kTaggerWeight, logs, classes_);
     for (std::size_t c = 0; c + 1 < classes_; ++c) {
         const bool is_of_three = bars[c] % 3 == 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "audio/genre/genre_fusion.hpp"
@@ -15,16 +16,15 @@ namespace raks::audio {
 /// Averages what is heard of a song: the logarithms of the classes' probabilities, by the model's
 /// own parts and by the tagger, each with its weight. A song is for one dance from its first bar to
 /// its last, so a change needs evidence, not a moment: the mean of a minute is not turned by the
-/// next second. Another song without a silence before it is told by its own last seconds, where
-/// they speak for another class all the time.
+/// next second. Another song without a silence before it is found by a cumulative sum of how much
+/// the last seconds speak for another class (Page 1954); it is judged by these seconds alone.
 /// Threads: one. Real-time: yes.
 class SongJudgement {
  public:
     using Values = GenreScores::Values;
 
-    /// What the two have to say; fitted on clips of other sources (docs/measurements/genre.md).
-    static constexpr float kOwnWeight = 0.5F;
-    static constexpr float kTaggerWeight = 0.75F;  ///< see above
+    /// Who is asked. Beside the tagger the own parts weigh half.
+    enum class Asked : std::uint8_t { own_parts, both };
     /// Seconds of music after which silence is the end of the song.
     static constexpr double kEndOfSong = 2.5;
 
@@ -40,7 +40,8 @@ class SongJudgement {
     void add(const TaggerWord& word, const TaggerClasses& tagger) noexcept RAKS_NONBLOCKING;
     /// ln probabilities of the classes; nothing heard: none of them. `beats_per_bar`: of the music,
     /// where it is sure, else 0; `bars`: of each class' dance, 0: any.
-    [[nodiscard]] Values log_chances(int beats_per_bar,
+    [[nodiscard]] Values log_chances(Asked asked,
+                                     int beats_per_bar,
                                      std::span<const int> bars) const noexcept RAKS_NONBLOCKING;
 
  private:
@@ -51,17 +52,20 @@ class SongJudgement {
         void add(const Values& logs, double own) noexcept;
         void add_to(float factor, Values& out, std::size_t classes) const noexcept;
     };
+    /// How much a class is spoken for instead of that of the song, and by what.
+    struct Other {
+        double nats = 0.0;  // times seconds
+        Sum since;          // of the own parts, since they speak for it
+    };
     [[nodiscard]] std::size_t best_of(const Sum& own) const noexcept;
     void watch_for_another(const Values& logs, double weight, double seconds) noexcept;
 
     std::size_t classes_;
     Sum own_;
     Sum tags_;
-    Sum lately_;                 // of the own parts, since they speak for another class
-    std::size_t other_ = 0;      // that class
-    double other_for_ = 0.0;     // seconds
-    std::uint32_t patches_ = 0;  // of the tagger, as last added
-    StreamTime until_{};         // likewise
+    std::array<Other, PatternNetwork::kMaxClasses> others_{};  // by class
+    std::uint32_t patches_ = 0;                                // of the tagger, as last added
+    StreamTime until_{};                                       // likewise
 };
 
 }  // namespace raks::audio

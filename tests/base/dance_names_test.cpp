@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a word that is also a dance's names a part of the body.
-const std::set<std::string> kBodyParts = {"render/mannequin/trunk_primitives.cpp"};
+/// Where a word that is also a dance's names a part of the body, or is a tag of music.
+const std::set<std::string> kOtherWords = {"render/mannequin/trunk_primitives.cpp",
+                                           "audio/genre/tagger_network.hpp"};
 
 /// The words of a line of code that are in quotes, and the line itself where it may be an
 /// enumerator.
@@ -61,7 +62,7 @@ TEST(DanceNames, are_in_no_source_file) {
         for (const auto& entry : fs::recursive_directory_iterator(test::kSourceTree / room)) {
             const std::string file = fs::relative(entry.path(), test::kSourceTree).generic_string();
             const std::string extension = entry.path().extension().string();
-            if ((extension != ".cpp" && extension != ".hpp") || kBodyParts.contains(file)) {
+            if ((extension != ".cpp" && extension != ".hpp") || kOtherWords.contains(file)) {
                 continue;
             }
             ++files;

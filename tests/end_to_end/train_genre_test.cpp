@@ -199,7 +199,7 @@ TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {
     EXPECT_TRUE(fs::exists(path("three.samples"))) << "a fourth can be added";
 
     expect_failure(train({path("more"), "--add-to", two}),
-                   "--shard and --add-to need -o FILE: where to keep what they make");
+                   "--shard, --add-to and --tagger-for need -o FILE: where to keep what they make");
     fs::copy(path("three.samples"), path("two.samples"), fs::copy_options::overwrite_existing);
     expect_failure(train({path("more"), "--add-to", two, "-o", path("x.json")}),
                    path("two.samples") + ": is of another model than two.json; train it again");

@@ -39,7 +39,7 @@ class Stage {
             state.time = time_of_hop(hop_++);
             state.level_dbfs = level;
             state.grid.confidence = confidence;
-            recognizer_.advance(vector, mel, state);
+            recognizer_.advance(vector, mel, nullptr, state);
             states_.push_back(state);
         }
     }

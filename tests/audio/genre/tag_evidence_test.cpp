@@ -24,17 +24,17 @@ TEST(TagEvidence, is_shared_out_among_the_genres_of_a_tag) {
         std::string_view genre;
         Dances dances;
     } cases[] = {
-        {"Salsa", {{"salsa", 2.5F}}},
-        {"Salsa/Latin", {{"salsa", 2.5F}}},
-        {"Electronic; House", {{"house", 2.5F}}},
-        {std::string_view("Electronic\0House", 16), {{"house", 2.5F}}},
-        {"House, Rock", {{"house", 1.25F}, {"rock", 1.25F}}},
-        {"(17)", {{"rock", 2.5F}}},
-        {"17", {{"rock", 2.5F}}},
-        {"(17)(7)", {{"rock", 1.25F}, {"hiphop", 1.25F}}},
-        {"(17)Rock", {{"rock", 2.5F}}},
-        {"[143]", {{"salsa", 2.5F}}},
-        {"Disco", {{"fallback", 2.5F}}},
+        {"Salsa", {{"salsa", 1.5F}}},
+        {"Salsa/Latin", {{"salsa", 1.5F}}},
+        {"Electronic; House", {{"house", 1.5F}}},
+        {std::string_view("Electronic\0House", 16), {{"house", 1.5F}}},
+        {"House, Rock", {{"house", 0.75F}, {"rock", 0.75F}}},
+        {"(17)", {{"rock", 1.5F}}},
+        {"17", {{"rock", 1.5F}}},
+        {"(17)(7)", {{"rock", 0.75F}, {"hiphop", 0.75F}}},
+        {"(17)Rock", {{"rock", 1.5F}}},
+        {"[143]", {{"salsa", 1.5F}}},
+        {"Disco", {{"fallback", 1.5F}}},
         {"(255)", {}},
         {"99999999999999999999", {}},
         {"-1", {}},
@@ -49,7 +49,7 @@ TEST(TagEvidence, is_shared_out_among_the_genres_of_a_tag) {
 }
 
 TEST(TagEvidence, titles_count_less_and_only_by_words_that_tell) {
-    EXPECT_EQ(evidence_of({.album = "Salsa Hits"}, table()).dances, (Dances{{"salsa", 1.0F}}));
+    EXPECT_EQ(evidence_of({.album = "Salsa Hits"}, table()).dances, (Dances{{"salsa", 0.6F}}));
     EXPECT_EQ(evidence_of({.title = "House of the Rising Son", .artist = "Rap"}, table()).dances,
               Dances());
     EXPECT_EQ(evidence_of({.genre = "Latin", .album = "Salsa Hits"}, table()).dances,
@@ -57,7 +57,7 @@ TEST(TagEvidence, titles_count_less_and_only_by_words_that_tell) {
         << "bounded";
     const TagEvidence both =
         evidence_of({.genre = "Classical", .title = "Valse no. 2 (17)"}, table());
-    EXPECT_EQ(both.dances, (Dances{{"fallback", 2.5F}, {"waltz", 1.0F}}));
+    EXPECT_EQ(both.dances, (Dances{{"fallback", 1.5F}, {"waltz", 0.6F}}));
     EXPECT_EQ(both.words, (std::vector<std::string>{"classical", "valse"}));
     EXPECT_EQ(both.dance(), "fallback");
     EXPECT_EQ(TagEvidence().dance(), "");
@@ -74,7 +74,7 @@ TEST(TagEvidence, of_a_huge_tag_is_of_its_beginning) {
         many += "Salsa; ";
     }
     EXPECT_EQ(evidence_of({.genre = many}, table()).dances.size(), 1U);
-    EXPECT_NEAR(evidence_of({.genre = many}, table()).dances[0].second, 2.5F, 1e-3);
+    EXPECT_NEAR(evidence_of({.genre = many}, table()).dances[0].second, 1.5F, 1e-3);
     const std::string big(std::size_t{1} << 20U, 'x');
     EXPECT_EQ(evidence_of({big, big, big, big}, table()).dances, Dances());
 }
@@ -88,10 +88,10 @@ TEST(TagEvidence, is_a_prior_by_the_models_classes) {
         }
         return std::array{all[0], all[1], all[2]};
     };
-    EXPECT_EQ(prior("Techno"), (std::array{0.0F, 2.5F, 0.0F}));
-    EXPECT_EQ(prior("Pop"), (std::array{0.0F, 0.0F, 2.5F}));
-    EXPECT_EQ(prior("Rock"), (std::array{0.0F, 0.0F, 2.5F})) << "the model does not know it";
-    EXPECT_EQ(prior("Rock; Pop; Waltz"), (std::array{0.0F, 0.0F, 2.5F}));
+    EXPECT_EQ(prior("Techno"), (std::array{0.0F, 1.5F, 0.0F}));
+    EXPECT_EQ(prior("Pop"), (std::array{0.0F, 0.0F, 1.5F}));
+    EXPECT_EQ(prior("Rock"), (std::array{0.0F, 0.0F, 1.5F})) << "the model does not know it";
+    EXPECT_EQ(prior("Rock; Pop; Waltz"), (std::array{0.0F, 0.0F, 1.5F}));
     EXPECT_EQ(prior("nothing"), (std::array{0.0F, 0.0F, 0.0F}));
 }
 
