@@ -147,8 +147,7 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     for (const std::string& note : engine::material_notes(settings, *catalogue)) {
         say(note);
     }
-    auto models =
-        engine::load_analyzer_models(catalogue->list(), engine::genre_aids_of(settings));
+    auto models = engine::load_analyzer_models(catalogue->list(), engine::genre_aids_of(settings));
     if (!models) {
         return fail(std::move(models.error()));
     }

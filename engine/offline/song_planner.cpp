@@ -32,8 +32,8 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         }
         return fail(std::move(source.error()));
     }
-    auto analyzer = make_song_analyzer(
-        source->rate(), told(models, source->tags()), make_tagger(models));
+    auto analyzer =
+        make_song_analyzer(source->rate(), told(models, source->tags()), make_tagger(models));
     if (!analyzer) {
         return fail(std::move(analyzer.error()).in(file.string()));
     }

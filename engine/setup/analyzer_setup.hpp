@@ -59,8 +59,8 @@ struct GenreAids {
 };
 
 /// Reads the shipped models, and of what helps them what is asked for. `dances`: the list that the
-/// genres are numbered by. Errors: a file that is missing or bad; but without the tagger's weights the program hears all the same, and
-/// AnalyzerModels::tagger_note says so. Threads: workers.
+/// genres are numbered by. Errors: a file that is missing or bad; but without the tagger's weights
+/// the program hears all the same, and AnalyzerModels::tagger_note says so. Threads: workers.
 [[nodiscard]] Expected<AnalyzerModels> load_analyzer_models(std::shared_ptr<const DanceList> dances,
                                                             const GenreAids& aids);
 

@@ -330,8 +330,8 @@ TEST(DanceForm, is_another_by_every_word_of_the_settings) {
                                       [](const Settings& s) { return form_of(s).generator; }));
     EXPECT_TRUE(differs_by_every_word(&Settings::dynamics,
                                       [](const Settings& s) { return dynamics_of(s); }));
-    EXPECT_TRUE(differs_by_every_word(
-        &Settings::tagger, [](const Settings& s) { return genre_aids_of(s).tagger; }));
+    EXPECT_TRUE(differs_by_every_word(&Settings::tagger,
+                                      [](const Settings& s) { return genre_aids_of(s).tagger; }));
 }
 
 }  // namespace
