@@ -228,8 +228,9 @@ struct EvalGenreArguments {
     Path model;                ///< .json; empty: the one that comes with Raks
     std::string labels;        ///< only clips whose label is one of these letters; empty: all
     bool with_damage = false;  ///< also quieter, low-passed, with noise, in a room
-    bool as_json = false;      ///< one JSON document instead of text
-    int threads = 2;           ///< [1, 64]
+    engine::TaggerUse tagger = engine::TaggerUse::on;  ///< whether the shown decision asks it
+    bool as_json = false;                              ///< one JSON document instead of text
+    int threads = 2;                                   ///< [1, 64]
 };
 /// Measures how well a model tells dances apart on a folder of music, by each kind of evidence.
 [[nodiscard]] ExitCode eval_genre(const EvalGenreArguments& arguments);

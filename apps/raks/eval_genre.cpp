@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "apps/raks/commands.hpp"
@@ -42,6 +43,8 @@ struct Shown {
     double seconds = 0.0;
     int switches = 0;          ///< after the first genre
     double right_share = 0.0;  ///< of the hops from 10 s on
+    std::size_t at_end = 0;    ///< class that is shown at last
+    double wrong_share = 0.0;  ///< of the hops from 5 s on: another dance than that of the file
 };
 
 // Everything that is reported.
@@ -67,6 +70,10 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
         last_ = state.genre_class;
         shown_.seconds = to_seconds(state.time);
         // The first seconds have too little music for a decision.
+        if (shown_.seconds >= kBegun) {
+            ++danced_;
+            wrong_ += last_ != truth_ && last_ != none_ ? 1 : 0;
+        }
         if (shown_.seconds >= kSettled) {
             ++counted_;
             right_ += state.genre_class == truth_ ? 1 : 0;
@@ -77,11 +84,14 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
         result.file = file.name;
         result.truth = file.genre;
         result.right_share = counted_ > 0 ? static_cast<double>(right_) / counted_ : 0.0;
+        result.at_end = last_;
+        result.wrong_share = danced_ > 0 ? static_cast<double>(wrong_) / danced_ : 0.0;
         return result;
     }
 
  private:
-    // Seconds until the decision is judged.
+    // Seconds until a wrong dance counts, and until the decision is judged.
+    static constexpr double kBegun = 5.0;
     static constexpr double kSettled = 10.0;
     Shown shown_;
     std::size_t truth_;
@@ -89,6 +99,8 @@ class WatchDecision final : public audio::MusicAnalyzer::Sink {
     std::size_t last_;
     int counted_ = 0;
     int right_ = 0;
+    int danced_ = 0;
+    int wrong_ = 0;
 };
 
 // One file: features for the scores, and what the program would show.
@@ -123,7 +135,8 @@ Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
     if (analyzed.piece.windows.empty()) {
         return fail(file.path.string() + ": is silent or shorter than 1 s");
     }
-    auto analyzer = engine::make_analyzer(music->rate, models);
+    auto analyzer = engine::make_analyzer(
+        music->rate, models, audio::BeatMethod::pointer, engine::make_tagger(models));
     if (!analyzer) {
         return fail(analyzer.error());
     }
@@ -228,7 +241,13 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
             return arguments.labels.find(file.label) == std::string::npos;
         });
     }
-    const engine::AnalyzerModels models{*network, *model, catalogue->list()};
+    auto shipped = engine::load_analyzer_models(catalogue->list(),
+                                                {arguments.tagger, engine::FileTags::ignored});
+    if (!shipped) {
+        return fail(shipped.error());
+    }
+    engine::AnalyzerModels models = std::move(*shipped);
+    models.genres = *model;
     Evaluation evaluation;
     evaluation.genres = (*model)->genres;
     evaluation.pair = catalogue->pair();
@@ -282,6 +301,31 @@ double switches_a_minute(const Evaluation& evaluation) {
     return seconds > 0.0 ? 60.0 * switches / seconds : 0.0;
 }
 
+// What the program shows of all files, and of those of one class.
+struct ShownTally {
+    int files = 0;
+    int right_at_end = 0;
+    double wrong_share = 0.0;
+};
+ShownTally tally_of(const Evaluation& evaluation, std::optional<std::size_t> of = {}) {
+    ShownTally tally;
+    for (const Shown& shown : evaluation.shown) {
+        const std::size_t truth = audio::class_of(shown.truth, evaluation.genres);
+        if (!of || truth == *of) {
+            ++tally.files;
+            tally.right_at_end += shown.at_end == truth ? 1 : 0;
+            tally.wrong_share += shown.wrong_share;
+        }
+    }
+    tally.wrong_share /= std::max(1, tally.files);
+    return tally;
+}
+
+// "house", or "unknown" for none of the dances.
+std::string class_name(const Evaluation& evaluation, std::size_t of) {
+    return of < evaluation.genres.size() ? evaluation.genres[of] : "unknown";
+}
+
 // The document raks-eval-genre, version 1.
 std::string json_of(const Evaluation& evaluation) {
     Json json = {{"format", "raks-eval-genre"}, {"version", 1}, {"files", evaluation.files}};
@@ -316,12 +360,17 @@ std::string json_of(const Evaluation& evaluation) {
              {"confusion", confusion}});
     }
     json["switches_a_minute"] = rounded(switches_a_minute(evaluation));
+    const ShownTally all = tally_of(evaluation);
+    json["right_at_end"] = all.right_at_end;
+    json["wrong_share"] = rounded(all.wrong_share);
     json["shown"] = Json::array();
     for (const Shown& shown : evaluation.shown) {
         json["shown"].push_back({{"file", shown.file},
                                  {"genre", audio::shown_genre(shown.truth)},
                                  {"switches", shown.switches},
-                                 {"right", rounded(shown.right_share)}});
+                                 {"right", rounded(shown.right_share)},
+                                 {"at_end", class_name(evaluation, shown.at_end)},
+                                 {"wrong", rounded(shown.wrong_share)}});
     }
     return json.text(1) + "\n";
 }
@@ -346,7 +395,21 @@ std::string text_of(const Evaluation& evaluation) {
                             row.tally.auroc_unknown,
                             row.tally.calibration_error);
     }
-    text += fmt::format("decision: {:.2f} switches a minute\n", switches_a_minute(evaluation));
+    const ShownTally all = tally_of(evaluation);
+    text += fmt::format(
+        "decision: {} of {} right at the end, a wrong dance {:.0f} % of the time, {:.2f} switches "
+        "a "
+        "minute\n",
+        all.right_at_end,
+        all.files,
+        100.0 * all.wrong_share,
+        switches_a_minute(evaluation));
+    for (std::size_t c = 0; c <= evaluation.genres.size(); ++c) {
+        if (const ShownTally own = tally_of(evaluation, c); own.files > 0) {
+            text += fmt::format(
+                "  {:10} {} of {}\n", class_name(evaluation, c), own.right_at_end, own.files);
+        }
+    }
     return text;
 }
 

@@ -219,6 +219,11 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
     app->add_flag("--damage",
                   a->with_damage,
                   "also with damaged sound: quieter, low-passed, with noise, in a room");
+    add_named_option(*app,
+                     "--tagger",
+                     a->tagger,
+                     engine::kTaggerUseNames,
+                     "on, or off: the decision is judged without the music tagger");
     app->add_option("--threads", a->threads)->check(in_range(1, 64));
     app->add_flag("--json", a->as_json, "one JSON document");
 }
