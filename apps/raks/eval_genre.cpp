@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -220,34 +221,48 @@ std::vector<std::size_t> asked_genres(const std::vector<audio::MusicFile>& files
     return asked.size() < 2 && least > 1 ? asked_genres(files, genres, 1) : asked;
 }
 
-// Scores all files, once for each kind of damage; damage 0 is none.
-Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
-    auto model = engine::load_genre_model(arguments.model);
-    auto network = engine::load_beat_network();
-    const auto catalogue = engine::DanceCatalogue::load();
-    if (!catalogue) {
-        return fail(catalogue.error());
+// The shipped models, but for the one that is measured.
+Expected<engine::AnalyzerModels> models_of(const EvalGenreArguments& arguments,
+                                           const engine::DanceCatalogue& catalogue,
+                                           std::shared_ptr<const audio::GenreModel> measured) {
+    auto models = engine::load_analyzer_models(catalogue.list(),
+                                               {arguments.tagger, engine::FileTags::ignored});
+    if (models) {
+        models->genres = std::move(measured);
     }
-    const DanceList& dances = *catalogue->list();
+    return models;
+}
+
+// The files that are measured. Errors: those of list_music.
+Expected<std::vector<audio::MusicFile>> files_of(const EvalGenreArguments& arguments,
+                                                 const DanceList& dances) {
     auto files = arguments.groups.empty()
                      ? audio::list_music(arguments.folder, dances)
                      : audio::list_music(arguments.folder, arguments.groups, dances);
-    if (!model || !network || !files) {
-        return fail(!model ? model.error() : !network ? network.error() : files.error());
-    }
     // Labels are single letters.
-    if (!arguments.labels.empty()) {
+    if (files && !arguments.labels.empty()) {
         std::erase_if(*files, [&](const audio::MusicFile& file) {
             return arguments.labels.find(file.label) == std::string::npos;
         });
     }
-    auto shipped = engine::load_analyzer_models(catalogue->list(),
-                                                {arguments.tagger, engine::FileTags::ignored});
-    if (!shipped) {
-        return fail(shipped.error());
+    return files;
+}
+
+// Scores all files, once for each kind of damage; damage 0 is none.
+Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
+    auto model = engine::load_genre_model(arguments.model);
+    const auto catalogue = engine::DanceCatalogue::load();
+    if (!catalogue) {
+        return fail(catalogue.error());
     }
-    engine::AnalyzerModels models = std::move(*shipped);
-    models.genres = *model;
+    auto files = files_of(arguments, *catalogue->list());
+    if (!model || !files) {
+        return fail(!model ? model.error() : files.error());
+    }
+    auto models = models_of(arguments, *catalogue, *model);
+    if (!models) {
+        return fail(std::move(models.error()));
+    }
     Evaluation evaluation;
     evaluation.genres = (*model)->genres;
     evaluation.pair = catalogue->pair();
@@ -260,7 +275,7 @@ Expected<Evaluation> evaluate(const EvalGenreArguments& arguments) {
         // Each file has its place, whichever thread takes it.
         std::vector<Expected<AnalyzedFile>> analyzed(files->size(), fail("not analysed"));
         run_parallel(files->size(), arguments.threads, [&](std::size_t i) {
-            analyzed[i] = analyze_file((*files)[i], static_cast<audio::Damage>(damage), models);
+            analyzed[i] = analyze_file((*files)[i], static_cast<audio::Damage>(damage), *models);
         });
         std::vector<audio::WindowScore> scores;
         for (std::size_t i = 0; i < analyzed.size(); ++i) {

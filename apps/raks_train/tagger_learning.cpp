@@ -12,7 +12,7 @@
 
 #include "apps/terminal/say.hpp"
 #include "audio/evaluate/genre_folder.hpp"
-#include "audio/evaluate/piece_features.hpp"
+#include "audio/evaluate/genre_scores.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/io/audio_file.hpp"
 #include "base/parallel.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "audio/evaluate/piece_features.hpp"
+#include "audio/evaluate/genre_scores.hpp"
 #include "audio/genre/pattern_network.hpp"
 #include "training/networks/adam.hpp"
 
