@@ -119,6 +119,7 @@ std::map<std::string, std::size_t> fold_of_groups(std::span<const TaggedPiece> p
         ++sizes[piece.group];
     }
     std::vector<std::pair<int, std::string>> order;
+    order.reserve(sizes.size());
     for (const auto& [group, size] : sizes) {
         order.emplace_back(-size, group);
     }
