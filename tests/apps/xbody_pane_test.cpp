@@ -210,7 +210,7 @@ TEST_F(XbodyPanes, a_slider_of_the_chosen_bone_turns_it_and_the_button_above_put
     view_.expressions = {"happy"};
     apply(ChooseBone{Bone::head}, session_);
     click(layout().pages[static_cast<std::size_t>(XbodyPage::pose)]);
-    const Box& line = layout().lines[2];  // under the button and the bone's title
+    const Box line = layout().lines[2];  // under the button and the bone's title
     pointer_ = {line.right() - 70.0F, line.y + line.height / 2.0F};
     frames({MouseButtonEvent{MouseButton::left, true, pointer_.x, pointer_.y}});
     frames({MouseButtonEvent{MouseButton::left, false, pointer_.x, pointer_.y}});
