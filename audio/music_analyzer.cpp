@@ -106,7 +106,7 @@ struct MusicAnalyzer::State {
     void finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING;
     void track(const Onset& onset, MusicState& state) noexcept;
     void score_mfcc(const MusicState& state) noexcept;
-    void hear_tags(const MusicState& state) noexcept;
+    void hear_tags(MusicState& state) noexcept;
     void recognize(MusicState& state) noexcept;
     void hint_tempo(DanceId genre) noexcept;
     void jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING;
@@ -224,7 +224,7 @@ void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept
 }
 
 // The tagger takes the samples that the MFCC are about to take.
-void MusicAnalyzer::State::hear_tags(const MusicState& state) noexcept {
+void MusicAnalyzer::State::hear_tags(MusicState& state) noexcept {
     if (!tags) {
         return;
     }
@@ -238,6 +238,7 @@ void MusicAnalyzer::State::hear_tags(const MusicState& state) noexcept {
     });
     tags->hear(tagged);
     tagger_word = &tags->word();
+    state.tags = strongest_tags(*tagger_word);
 }
 
 // The vector is some hops old, so the level of that time decides whether it is silence.

@@ -5,28 +5,13 @@
 
 #include "base/assert.hpp"
 #include "base/simd_clones.hpp"
+#include "models/dense_product.hpp"
 #include "models/gates.hpp"
 
 namespace raks::models {
 namespace {
 
 using Units = std::array<float, RecurrentNetwork::kMaxUnits>;
-
-/// sums[j] += sum over i of input[i] weights[i][j], weights row-major. Row by row, so that the
-/// inner loop runs over neighbouring numbers and vectorizes.
-RAKS_SIMD_CLONES void add_product(const float* input,
-                                  std::size_t inputs,
-                                  const float* weights,
-                                  std::size_t width,
-                                  float* __restrict sums) noexcept {
-    for (std::size_t i = 0; i < inputs; ++i) {
-        const float x = input[i];
-        const float* const row = weights + i * width;
-        for (std::size_t j = 0; j < width; ++j) {
-            sums[j] += x * row[j];
-        }
-    }
-}
 
 /// hidden = the next hidden values, from the sums of both products (gates r, z, n side by side).
 RAKS_SIMD_CLONES void open_gates(const float* from_input,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -84,16 +83,11 @@ void AnalysisDocument::add(const MusicState& state) {
 }
 
 void AnalysisDocument::add_tags(const audio::TaggerWord& word) {
-    std::array<std::size_t, audio::kTags> order{};
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    // Of two alike the first, so that the document is the same everywhere.
-    std::stable_sort(order.begin(), order.end(), [&word](std::size_t a, std::size_t b) {
-        return word.mean_logits[a] > word.mean_logits[b];
-    });
+    const HeardTags heard = audio::strongest_tags(word);
     TagPoint point{.time = rounded(word.until), .tags = {}, .probabilities = {}};
     for (std::size_t i = 0; i < kStrongest; ++i) {
-        point.tags[i] = order[i];
-        point.probabilities[i] = 1.0F / (1.0F + std::exp(-word.mean_logits[order[i]]));
+        point.tags[i] = heard.strongest[i];
+        point.probabilities[i] = 1.0F / (1.0F + std::exp(-word.mean_logits[point.tags[i]]));
     }
     tags_.push_back(point);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "base/decibels.hpp"
@@ -61,6 +63,23 @@ FilterBank slaney_filters(std::size_t frame) {
 }
 
 }  // namespace
+
+HeardTags strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING {
+    HeardTags tags;
+    tags.are_known = word.patches > 0;
+    std::array<bool, kTags> is_taken{};
+    for (std::uint8_t& strongest : tags.strongest) {
+        std::size_t best = kTags;
+        for (std::size_t tag = 0; tag < kTags; ++tag) {
+            const bool is_stronger =
+                best == kTags || word.mean_logits[tag] > word.mean_logits[best];
+            best = !is_taken[tag] && is_stronger ? tag : best;
+        }
+        is_taken[best] = true;
+        strongest = static_cast<std::uint8_t>(best);
+    }
+    return tags;
+}
 
 MusicTagger::MusicTagger(std::shared_ptr<const TaggerNetwork> network)
     : network_(std::move(network)),

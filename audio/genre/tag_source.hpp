@@ -20,6 +20,9 @@ struct TaggerWord {
     std::array<float, kTags> mean_logits{};       ///< of all of them
 };
 
+/// The strongest words by their mean; of two alike the first. Real-time: yes.
+[[nodiscard]] HeardTags strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING;
+
 /// One hop of sound for the tagger.
 struct TaggerHop {
     static constexpr std::size_t kSamples = 160;  ///< 10 ms at 16 kHz

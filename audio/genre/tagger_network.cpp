@@ -7,6 +7,7 @@
 
 #include "base/assert.hpp"
 #include "base/simd_clones.hpp"
+#include "models/dense_product.hpp"
 
 namespace raks::audio {
 namespace {
@@ -176,21 +177,6 @@ void clear_behind(float* rows, std::size_t count) noexcept {
     }
 }
 
-// sums[j] += over i of input[i] weights[i][j].
-RAKS_SIMD_CLONES void add_dense(const float* input,
-                                std::size_t inputs,
-                                const float* weights,
-                                std::size_t width,
-                                float* __restrict sums) noexcept {
-    for (std::size_t i = 0; i < inputs; ++i) {
-        const float x = input[i];
-        const float* const row = weights + i * width;
-        for (std::size_t j = 0; j < width; ++j) {
-            sums[j] += x * row[j];
-        }
-    }
-}
-
 // log10(1 + 10000 x): the exponent by its bits, and the series of the area tangent of the rest.
 RAKS_SIMD_CLONES void compress(float* __restrict values, std::size_t count) noexcept {
     constexpr std::uint32_t kRootHalf = 0x3f35'04f3U;  // bits of sqrt(1/2)
@@ -294,13 +280,15 @@ void TaggerRun::compute(const TaggerNetwork& network,
         pooled[2 * row + 1] = sum / static_cast<float>(kTagFrames);
     }
     std::copy_n(network.dense_bias.data(), kTagFeatures, embedding_.begin());
-    add_dense(pooled.data(), pooled.size(), network.dense.data(), kTagFeatures, embedding_.data());
+    models::add_product(
+        pooled.data(), pooled.size(), network.dense.data(), kTagFeatures, embedding_.data());
     for (std::size_t i = 0; i < kTagFeatures; ++i) {
         embedding_[i] =
             std::max(0.0F, embedding_[i]) * network.embedding_scale[i] + network.embedding_shift[i];
     }
     std::copy_n(network.tags_bias.data(), kTags, logits_.begin());
-    add_dense(embedding_.data(), kTagFeatures, network.tags.data(), kTags, logits_.data());
+    models::add_product(
+        embedding_.data(), kTagFeatures, network.tags.data(), kTags, logits_.data());
 }
 
 }  // namespace raks::audio

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -74,6 +75,8 @@ struct OverlayState {
     int figure_counts = 8;
     // Sound.
     std::string_view source{};         ///< file name or device
+    /// What a tagger calls the music, the strongest word first; empty ones are not shown.
+    std::array<std::string_view, 3> tags{};
     float level_dbfs = -120.0F;        ///< rms, >= -120
     float loudness_lufs = -120.0F;     ///< momentary, >= -120
     std::optional<float> volume{};     ///< [0, 1]; none: nothing is played back

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "render/overlay/panels.hpp"
 #include "render/overlay/text_format.hpp"
@@ -69,6 +71,24 @@ std::string time_text(const OverlayState& state) {
     return state.is_paused ? "paused  " + text : text;
 }
 
+/// What the tagger calls the music, at the right of the line of the time: as many words as there is
+/// room for.
+void draw_tags(const Pen& pen, const OverlayState& state, const Box& box, float down) {
+    const OverlayFonts& fonts = pen.fonts();
+    const float right = box.right() - kInner;
+    const float room =
+        right - (box.x + kInner + 26.0F) - pen.width_of(fonts.small, time_text(state)) - 18.0F;
+    std::string text;
+    for (const std::string_view tag : state.tags) {
+        const std::string more =
+            text.empty() || tag.empty() ? std::string(tag) : fmt::format("{}, {}", text, tag);
+        if (!tag.empty() && pen.width_of(fonts.small, more) <= room) {
+            text = more;
+        }
+    }
+    pen.text(fonts.small, right, box.y + down, palette::kDim, text, Align::right, room);
+}
+
 }  // namespace
 
 OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
@@ -103,6 +123,7 @@ OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Can
              time_text(state),
              Align::left,
              right - left);
+    draw_tags(pen, state, box, has_end ? 50.0F : 40.0F);
     // The sign has the card's left edge to itself, the bar some room above and below.
     if (state.position) {
         controls.play_sign = area({box.x, box.y, left - box.x - 4.0F, box.height}, pen.unit());

@@ -54,10 +54,44 @@ std::vector<PlayerEvent> events_of(const Performance& performance) {
 
 constexpr std::string_view kNowhere = "/dev/null/";  // no file can be below it
 
-/// A place in a soundfont.
+/// A place in a soundfont, and what was read ahead: FluidSynth asks for two bytes at a time.
 struct Reading {
     int descriptor = -1;
-    fluid_long_long_t at = 0;  // bytes
+    fluid_long_long_t at = 0;  // bytes, as are the next two
+    fluid_long_long_t ahead_from = 0;
+    std::size_t ahead_size = 0;
+    std::array<char, 16'384> ahead{};
+
+    /// Copies what was read ahead from here, at most `count` bytes; how many.
+    std::size_t take(char* to, std::size_t count) {
+        const fluid_long_long_t inside = at - ahead_from;
+        if (inside < 0 || inside >= static_cast<fluid_long_long_t>(ahead_size)) {
+            return 0;
+        }
+        const auto first = static_cast<std::size_t>(inside);
+        const std::size_t taken = std::min(count, ahead_size - first);
+        std::copy_n(ahead.data() + first, taken, to);
+        at += static_cast<fluid_long_long_t>(taken);
+        return taken;
+    }
+    /// Reads ahead from here; false at the end and where it cannot be read.
+    bool read_ahead() {
+        const ssize_t got = ::pread(descriptor, ahead.data(), ahead.size(), at);
+        ahead_from = at;
+        ahead_size = got > 0 ? static_cast<std::size_t>(got) : 0;
+        return got > 0;
+    }
+    /// Reads at once into `to`; false as above.
+    bool read(char*& to, std::size_t& count) {
+        const ssize_t got = ::pread(descriptor, to, count, at);
+        if (got <= 0) {
+            return false;
+        }
+        at += got;
+        to += got;
+        count -= static_cast<std::size_t>(got);
+        return true;
+    }
 };
 
 std::string name_of(int descriptor) { return std::string(kNowhere) + std::to_string(descriptor); }
@@ -77,15 +111,16 @@ int close_reading(void* handle) {
 int read_reading(void* to, fluid_long_long_t count, void* handle) {
     auto* const reading = static_cast<Reading*>(handle);
     auto* next = static_cast<char*>(to);
-    while (count > 0) {
-        const ssize_t got =
-            ::pread(reading->descriptor, next, static_cast<std::size_t>(count), reading->at);
-        if (got <= 0) {
+    auto left = static_cast<std::size_t>(count);
+    while (left > 0) {
+        const std::size_t taken = reading->take(next, left);
+        next += taken;
+        left -= taken;
+        // Samples are long: they go to their place without a copy.
+        const bool is_long = left >= reading->ahead.size();
+        if (left > 0 && !(is_long ? reading->read(next, left) : reading->read_ahead())) {
             return FLUID_FAILED;
         }
-        next += got;
-        reading->at += got;
-        count -= got;
     }
     return FLUID_OK;
 }
