@@ -233,7 +233,7 @@ Expected<std::string> analyze_one(const AnalyzeArguments& arguments,
     std::vector<std::string> genres = models.genres->genres;
     genres.emplace_back("unknown");
     AnalysisDocument document(input.string(), source->rate(), std::move(genres));
-    document.set_told(engine::told_by(models, source->tags()));
+    document.set_told(engine::told_by(models, source->tags(), input));
     std::shared_ptr<audio::TagSource> tags;
     if (models.tagger) {
         document.expect_tags();
@@ -243,7 +243,7 @@ Expected<std::string> analyze_one(const AnalyzeArguments& arguments,
     if (auto prepared = prepare(arguments,
                                 input,
                                 source->rate(),
-                                engine::told(models, source->tags()),
+                                engine::told(models, source->tags(), input),
                                 std::move(tags),
                                 analyses);
         !prepared) {

@@ -179,10 +179,11 @@ ExitCode dance(const DanceArguments& given) {
             ": holds the motion of the mannequin's body; write X.glb to have it on the avatar");
         models->clear();
     }
-    const auto setup = open_dancers(arguments.settings, bodies_of(*models));
+    auto setup = open_dancers(arguments.settings, bodies_of(*models));
     if (!setup) {
         return fail(setup.error());
     }
+    read_corrections(setup->models);
     auto driver = open_driver(
         {arguments.input, source->rate(), 0.0, arguments.is_as_live, source->tags()}, *setup);
     if (!driver) {

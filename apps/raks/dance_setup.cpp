@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -13,6 +14,7 @@
 #include "base/printable.hpp"
 #include "engine/offline/song_planner.hpp"
 #include "engine/setup/asked_formation.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/told_genre.hpp"
 #include "engine/show/avatar_files.hpp"
@@ -192,16 +194,28 @@ Expected<StageSetup> open_formations(engine::Settings& settings) {
     return StageSetup{std::move(*setup), std::move(*formations)};
 }
 
+void read_corrections(engine::AnalyzerModels& models) {
+    auto corrections = engine::DanceCorrections::load();
+    if (!corrections) {
+        complain(corrections.error().message + "; no dance that you said is used");
+        corrections = engine::DanceCorrections();
+    }
+    models.corrections = std::make_shared<engine::KeptCorrections>(std::move(*corrections));
+}
+
 std::string told_line(const audio::TagEvidence& evidence) {
-    return evidence.dance().empty() ? std::string()
-                                    : fmt::format("the file says {} ({})",
-                                                  engine::told_name(evidence),
-                                                  fmt::join(evidence.words, ", "));
+    if (evidence.dance().empty()) {
+        return {};
+    }
+    return evidence.is_by_person ? fmt::format("you said {}", engine::told_name(evidence))
+                                 : fmt::format("the file says {} ({})",
+                                               engine::told_name(evidence),
+                                               fmt::join(evidence.words, ", "));
 }
 
 Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const OfflineSetup& setup) {
     const engine::Cast cast = setup.dancers.cast();
-    if (const std::string line = told_line(engine::told_by(setup.models, music.tags));
+    if (const std::string line = told_line(engine::told_by(setup.models, music.tags, music.file));
         !line.empty()) {
         say_detail(line);
     }
@@ -227,8 +241,8 @@ Expected<engine::OfflineDriver> open_driver(const OfflineMusic& music, const Off
         say(music.file.string() +
             ": is longer than an hour, so that it is not analyzed before it plays");
     }
-    auto driver =
-        engine::OfflineDriver::create(music.rate, engine::told(setup.models, music.tags), cast);
+    auto driver = engine::OfflineDriver::create(
+        music.rate, engine::told(setup.models, music.tags, music.file), cast);
     if (!driver) {
         return fail(std::move(driver.error()).in(music.file.string()));
     }

@@ -67,7 +67,12 @@ struct OfflineSetup : DanceSetup {
                                                   std::vector<motion::Skeleton> bodies = {
                                                       motion::mannequin_skeleton()});
 
-/// "the file says salsa (Mambo)"; empty: it says nothing.
+/// Reads what the person said of songs' dances for analyzers that dance; where it cannot be read,
+/// one line says why and nothing was said. What measures leaves it out.
+/// Threads: main.
+void read_corrections(engine::AnalyzerModels& models);
+
+/// "the file says salsa (Mambo)", "you said salsa"; empty: it says nothing.
 [[nodiscard]] std::string told_line(const audio::TagEvidence& evidence);
 
 /// What of a file is danced offline, and how.

@@ -18,8 +18,10 @@
 #include "audio/io/pipe_reader.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/song_planner.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/play_list.hpp"
 #include "engine/setup/play_order.hpp"
+#include "engine/setup/told_genre.hpp"
 
 #include <fmt/format.h>
 
@@ -311,11 +313,14 @@ Expected<StageEnd> Player::play(const Path& file,
         start.emplace(planner_, file, next, patience);
     }
     engine::LiveGraphConfig config = graph_config();
+    if (engine::is_pipe(file)) {
+        config.models.corrections = nullptr;
+    }
     config.is_held_back = start.has_value();
     // Asked before the player is handed over.
     const std::optional<double> duration = player->first_info().claimed_seconds;
     const std::string name = file == "-" ? "standard input" : file.filename().string();
-    const std::string title = audio::title_line(player->first_info().tags, name);
+    const audio::AudioTags tags = player->first_info().tags;
     auto graph = engine::LiveGraph::play(
         std::move(player), output_, config, std::exchange(loudspeaker_, std::nullopt));
     if (!graph) {
@@ -326,7 +331,15 @@ Expected<StageEnd> Player::play(const Path& file,
         (*graph)->playback()->set_end(section.start + *section.duration);
     }
     say("playing " + (file == "-" ? name : file.string()));
-    StageSource source{title, duration, section.start, behind};
+    StageSource source{audio::title_line(tags, name), duration, section.start, behind};
+    source.teller = engine::teller_of(engine::told_by(config.models, tags, file));
+    // Nobody finds again what comes through a pipe.
+    if (config.models.corrections) {
+        source.keep_dance = [models = config.models, artist = tags.artist, file](auto dance) {
+            return engine::keep_dance(*models.corrections,
+                                      {std::string(dance), artist, file, models.genres->genres});
+        };
+    }
     if (start) {
         source.each_picture = [&start, &graph] { start->look(**graph); };
     }
@@ -390,6 +403,7 @@ ExitCode play(const PlayArguments& given) {
     if (!setup) {
         return fail(setup.error());
     }
+    read_corrections(setup->models);
     engine::Formations& formations = setup->formations;
     auto loop = StageLoop::create(
         arguments.settings,

@@ -77,6 +77,8 @@ class Film final : public engine::OfflineDriver::Sink {
     // Of a clip, by seconds of the film; none: faces go by the music.
     using FaceAt = std::function<std::optional<render::Face>(double)>;
     void set_face(FaceAt face) { face_at_ = std::move(face); }
+    // Who says which dance it is, where that is not heard; lives as long as the program.
+    void set_teller(std::string_view teller) { teller_ = teller; }
 
     [[nodiscard]] const std::optional<Error>& fault() const noexcept { return fault_; }
     [[nodiscard]] std::int64_t pictures() const noexcept { return next_; }
@@ -98,6 +100,7 @@ class Film final : public engine::OfflineDriver::Sink {
         const StreamTime moment = next_moment();
         render::OverlayState info;
         info.source = source_;
+        info.genre_teller = teller_;
         info.position = start_seconds_ + to_seconds(moment);
         show_.draw({last_->music,
                     last_->dancer,
@@ -162,6 +165,7 @@ class Film final : public engine::OfflineDriver::Sink {
     std::span<const glm::vec2> places_;
     std::optional<Error> fault_;
     FaceAt face_at_;
+    std::string_view teller_ = render::OverlayState().genre_teller;
 };
 
 // Completes a film; one that a signal stopped keeps its `danced` beside the file that it was to
@@ -258,7 +262,7 @@ ExitCode film_music(const RenderArguments& arguments,
                     const engine::Look& look,
                     engine::MusicSource& source,
                     Driver& driver,
-                    std::shared_ptr<const DanceList> dances,
+                    const DanceSetup& setup,
                     Film::FaceAt face = {}) {
     render::VideoOptions options = video_options(arguments, look);
     options.audio_rate = source.rate().hertz();
@@ -266,7 +270,7 @@ ExitCode film_music(const RenderArguments& arguments,
     if (!writer) {
         return fail(writer.error());
     }
-    auto studio = open_studio(arguments, look, std::move(dances));
+    auto studio = open_studio(arguments, look, setup.catalogue.list());
     if (!studio) {
         return fail(studio.error());
     }
@@ -278,6 +282,8 @@ ExitCode film_music(const RenderArguments& arguments,
               source.tags(),
               source.seconds());
     film.set_face(std::move(face));
+    film.set_teller(
+        engine::teller_of(engine::told_by(setup.models, source.tags(), arguments.input)));
     if (auto ran = run(source, driver, **writer, film); !ran) {
         return fail(ran.error());
     }
@@ -355,16 +361,15 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
         return length > 0.0 ? std::fmod(time, length) : 0.0;
     };
     auto driver = engine::ClipDriver::create(
-        source->rate(), engine::told(setup->models, source->tags()), [clip, in_clip](double time) {
-            return clip->pose_at(in_clip(time));
-        });
+        source->rate(),
+        engine::told(setup->models, source->tags(), arguments.input),
+        [clip, in_clip](double time) { return clip->pose_at(in_clip(time)); });
     if (!driver) {
         return fail(driver.error());
     }
-    return film_music(
-        arguments, look, *source, *driver, setup->catalogue.list(), [clip, in_clip](double time) {
-            return clip->face_at(in_clip(time));
-        });
+    return film_music(arguments, look, *source, *driver, *setup, [clip, in_clip](double time) {
+        return clip->face_at(in_clip(time));
+    });
 }
 
 }  // namespace
@@ -408,10 +413,11 @@ ExitCode render(const RenderArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    const auto setup = open_dancers(arguments.settings, engine::dance_bodies_of(look->avatars));
+    auto setup = open_dancers(arguments.settings, engine::dance_bodies_of(look->avatars));
     if (!setup) {
         return fail(setup.error());
     }
+    read_corrections(setup->models);
     auto driver = open_driver({arguments.input,
                                source->rate(),
                                arguments.section.start,
@@ -421,7 +427,7 @@ ExitCode render(const RenderArguments& given) {
     if (!driver) {
         return fail(std::move(driver.error()));
     }
-    return film_music(arguments, *look, *source, *driver, setup->catalogue.list());
+    return film_music(arguments, *look, *source, *driver, *setup);
 }
 
 }  // namespace raks::apps

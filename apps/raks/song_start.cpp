@@ -19,7 +19,8 @@ SongStart::SongStart(engine::SongPlanner& planner,
 
 void SongStart::look(engine::LiveGraph& graph) {
     if (is_planned_) {
-        if (!std::exchange(is_next_begun_, true) && !next_.empty()) {
+        // Again with every picture: a dance that is kept meanwhile may be of the next song, too.
+        if (!next_.empty()) {
             planner_->prepare(next_);
         }
         return;

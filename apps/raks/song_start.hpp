@@ -30,9 +30,8 @@ class SongStart {
     std::filesystem::path file_;
     std::filesystem::path next_;
     HostTime deadline_;
-    bool has_begun_ = false;      // it sounds
-    bool is_planned_ = false;     // or will not be
-    bool is_next_begun_ = false;  // planning it
+    bool has_begun_ = false;   // it sounds
+    bool is_planned_ = false;  // or will not be
 };
 
 }  // namespace raks::apps

@@ -201,6 +201,7 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
     live_actions_.bind(actions);
     bind_playing(actions);
     actions.on(Action::next_dance, [this](double) { select_next_dance(); });
+    actions.on(Action::keep_dance, [this](double) { keep_dance(); });
     actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
     actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
 }
@@ -369,6 +370,18 @@ void StageLoop::select_next_dance() {
         is_danced_already));
 }
 
+// The dance that was chosen by D or by the settings, for whenever this song is played.
+void StageLoop::keep_dance() {
+    if (!source_.keep_dance) {
+        say("no dance is kept: what is heard is no file that could be found again");
+        return;
+    }
+    const bool is_asked_for = settings_.dance != "auto";
+    say(source_.keep_dance(selected_dance_ != DanceId::none ? dances_->name_of(selected_dance_)
+                           : is_asked_for                   ? std::string_view(settings_.dance)
+                                                            : std::string_view()));
+}
+
 // Dancers who replaced others start with the recognised dance and must be told the selected one.
 void StageLoop::repeat_selected_dance() {
     if (selected_dance_ != DanceId::none) {
@@ -411,12 +424,13 @@ render::Camera StageLoop::framed(render::Camera preset) const {
     return preset;
 }
 
-// Once for a dance of a song, when the file's own words decide for it; the overlay shows it, too.
+// Once for a dance of a song, when the person's or the file's words decide for it; the overlay
+// shows it, too.
 void StageLoop::say_told_dance() {
     const MusicState& music = graph_->stage().music;
     if (music.is_genre_told && music.genre != told_dance_) {
         told_dance_ = music.genre;
-        apps::say(fmt::format("{}, as the file says", dances_->name_of(music.genre)));
+        apps::say(fmt::format("{}, {}", dances_->name_of(music.genre), source_.teller));
     }
 }
 
@@ -467,6 +481,7 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.level_dbfs = graph_->analysis().level_dbfs(HostClock::now());
     }
     overlay.source = source_name();
+    overlay.genre_teller = source_.teller;
     overlay.has_keys = true;
     overlay.duration = source_.duration;
     if (const engine::Playback* const playback = graph_->playback()) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
@@ -33,6 +34,11 @@ struct StageSource {
     double start = 0.0;                             ///< where in the file it began, in seconds
     Behind behind = Behind::end;                    ///< the file's end
     std::function<void()> each_picture = {};        ///< called with every picture; may be empty
+    /// Who says which dance it is where that is not heard: "as the file says".
+    std::string_view teller = "as the file says";
+    /// Keeps a dance for what is playing and returns the line that says so, or why not; empty: it
+    /// is no file. The dance is empty where none was chosen by hand.
+    std::function<std::string(std::string_view dance)> keep_dance = {};
 };
 
 /// The main thread of `play` and `live`: draws pictures, carries out actions and watches the
@@ -90,6 +96,7 @@ class StageLoop final : private engine::WindowContent {
     void run_headless();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void select_next_dance();
+    void keep_dance();
     void repeat_selected_dance();
     void say_losses(const engine::LiveCounters& lost) const;
     void toggle_figure_view();

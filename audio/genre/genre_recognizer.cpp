@@ -143,7 +143,7 @@ void GenreRecognizer::add_prior(const BeatGrid& grid) noexcept {
         const DanceInfo* const dance =
             settings_.dances ? settings_.dances->find(dances_[c]) : nullptr;
         const bool is_forbidden =
-            is_metre_known && dance != nullptr &&
+            is_metre_known && settings_.prior[c] < kCertainPrior && dance != nullptr &&
             is_in_threes(dance->beats_per_bar) != is_in_threes(grid.beats_per_bar);
         if (settings_.prior[c] != 0.0F && !is_forbidden) {
             chances[c] += settings_.prior[c];
@@ -330,7 +330,9 @@ void GenreRecognizer::publish(MusicState& state) const noexcept {
     }
     state.genre_class = static_cast<std::uint8_t>(decision_);
     state.genre = dances_[decision_];
-    state.is_genre_told = settings_.prior[decision_] > 0.0F && heard_ != decision_;
+    // What is certain is told whatever is heard.
+    const float prior = settings_.prior[decision_];
+    state.is_genre_told = prior >= kCertainPrior || (prior > 0.0F && heard_ != decision_);
 }
 
 }  // namespace raks::audio

@@ -28,6 +28,10 @@ namespace raks::audio {
 /// `log_emissions`: ln b_n(o) of each state. Real-time: yes.
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
+/// A prior of so many nats, or more, is certain: neither what is heard nor another metre outvotes
+/// it. Far more than what is heard can ever say.
+inline constexpr float kCertainPrior = 1e4F;
+
 /// Settings of GenreRecognizer::create().
 struct GenreSettings {
     /// Which dances MusicState::genre can name; genres of the model that are not in it count as
@@ -43,7 +47,8 @@ struct GenreSettings {
     float least_chance = 0.4F;
     /// What is known of the music beforehand, by class of the model, in nats: it is added to the ln
     /// probabilities of what is heard, and decides alone until something is. All 0: nothing is
-    /// known (audio/genre/tag_evidence.hpp makes one of a file's tags).
+    /// known (audio/genre/tag_evidence.hpp makes one of a file's tags). From kCertainPrior on it
+    /// decides in any case.
     GenreLogProbabilities prior{};
 };
 

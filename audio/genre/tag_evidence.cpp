@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "audio/genre/genre_model.hpp"
@@ -91,10 +92,12 @@ TagEvidence evidence_of(const TagTexts& tags, const GenreWords& table) {
 
 GenreLogProbabilities prior_of(const TagEvidence& evidence, const GenreModel& model) {
     GenreLogProbabilities prior{};
+    const float most =
+        evidence.is_by_person ? std::numeric_limits<float>::max() : kGenreTagStrength;
     for (const auto& [dance, strength] : evidence.dances) {
         const auto genre = std::find(model.genres.begin(), model.genres.end(), dance);
         float& of_class = prior[static_cast<std::size_t>(genre - model.genres.begin())];
-        of_class = std::min(kGenreTagStrength, of_class + strength);
+        of_class = std::min(most, of_class + strength);
     }
     return prior;
 }

@@ -35,6 +35,8 @@ struct TagEvidence {
     /// the words. All but kFallback are dances.
     std::vector<std::pair<std::string, float>> dances;
     std::vector<std::string> words;  ///< that were understood, as the table has them; each once
+    /// The person said it, and not the file: then `dances` may weigh any amount.
+    bool is_by_person = false;
 
     /// The dance, or kFallback, for which most is said; of equals the first. Empty: none.
     [[nodiscard]] std::string_view dance() const noexcept;

@@ -40,6 +40,7 @@ enum class Action : std::uint8_t {
     select_figure,
     keep_figure,
     next_dance,
+    keep_dance,
     next_formation,
     next_avatar,
     // view
@@ -56,7 +57,7 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 30;
+inline constexpr std::size_t kActionCount = 31;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

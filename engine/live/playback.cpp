@@ -11,7 +11,7 @@ Expected<std::unique_ptr<Playback>> Playback::create(std::unique_ptr<audio::File
                                                      const AnalyzerModels& models) {
     // The analyzer works at the file's rate: what it computes does not depend on the device.
     const audio::AudioFileInfo& info = player->first_info();
-    auto analysis = AnalysisStage::create(info.rate, told(models, info.tags));
+    auto analysis = AnalysisStage::create(info.rate, told(models, info.tags, player->path_of(0)));
     if (!analysis) {
         return fail(analysis.error());
     }

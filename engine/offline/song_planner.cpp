@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/offline/music_source.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/told_genre.hpp"
 
 namespace raks::engine {
@@ -33,7 +34,7 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
         return fail(std::move(source.error()));
     }
     auto analyzer =
-        make_song_analyzer(source->rate(), told(models, source->tags()), make_tagger(models));
+        make_song_analyzer(source->rate(), told(models, source->tags(), file), make_tagger(models));
     if (!analyzer) {
         return fail(std::move(analyzer.error()).in(file.string()));
     }
@@ -56,6 +57,7 @@ Expected<PlanOfSong> plan_song(const std::filesystem::path& file,
 // A file that is being planned, or was.
 struct SongPlanner::Job {
     std::filesystem::path file;
+    std::shared_ptr<const DanceCorrections> corrections;  // that it is planned by
     HostTime started = HostClock::now();
     // relaxed, both: a number to look at, and a wish; the future orders the plan.
     std::atomic<double> done{0.0};
@@ -94,13 +96,20 @@ SongPlanner::Job* SongPlanner::job_of(const std::filesystem::path& file) {
 }
 
 void SongPlanner::prepare(const std::filesystem::path& file) {
-    if (job_of(file) != nullptr) {
+    auto corrections = models_.corrections ? models_.corrections->now() : nullptr;
+    Job* const known = job_of(file);
+    if (known != nullptr && known->corrections == corrections) {
         return;
     }
-    jobs_[1] = std::move(jobs_[0]);
-    jobs_[0] = std::make_unique<Job>();
-    Job* const job = jobs_[0].get();
+    // What the person has said meanwhile may be of this song: it is planned anew, in its place.
+    if (known == nullptr) {
+        jobs_[1] = std::move(jobs_[0]);
+    }
+    auto& place = known != nullptr && jobs_[1].get() == known ? jobs_[1] : jobs_[0];
+    place = std::make_unique<Job>();
+    Job* const job = place.get();
     job->file = file;
+    job->corrections = std::move(corrections);
     job->plan_to_come = std::async(std::launch::async, [job, models = models_] {
         setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
         auto plan = plan_song(

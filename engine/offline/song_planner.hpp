@@ -38,8 +38,8 @@ class SongPlanner {
     SongPlanner(const SongPlanner&) = delete;
     SongPlanner& operator=(const SongPlanner&) = delete;  ///< likewise
 
-    /// Begins with this file, unless it was begun already. Other files but the last two are
-    /// forgotten.
+    /// Begins with this file, unless it was begun already by what the person has said of dances so
+    /// far. Other files but the last two are forgotten.
     void prepare(const std::filesystem::path& file);
 
     /// What is known of a file's plan.

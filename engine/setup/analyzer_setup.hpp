@@ -19,6 +19,8 @@
 
 namespace raks::engine {
 
+class KeptCorrections;  // engine/setup/dance_corrections.hpp
+
 /// Reads a beat network: the shipped one (models/trained/beats.json), or the file at `path`.
 /// Errors: a file that is missing or bad. Threads: workers.
 [[nodiscard]] Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
@@ -37,7 +39,9 @@ struct AnalyzerModels {
     std::shared_ptr<const DanceList> dances;          ///< the list that MusicState::genre indexes
     /// What words in a file's tags say (engine/setup/told_genre.hpp); null: tags say nothing.
     std::shared_ptr<const audio::GenreWords> words = nullptr;
-    /// Of one file, what its tags say: AnalyzerConfig::genre_prior.
+    /// What the person said of songs; null: nothing, as where music is measured.
+    std::shared_ptr<KeptCorrections> corrections = nullptr;
+    /// Of one file, what the person or its tags say: AnalyzerConfig::genre_prior.
     GenreLogProbabilities genre_prior{};
     std::shared_ptr<const audio::TaggerNetwork> tagger = {};  ///< null: nothing is tagged
     /// For the person, to be said once: why there is no tagger although one was asked for. Empty:

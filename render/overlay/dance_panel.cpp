@@ -19,7 +19,7 @@ void draw_genre(const Pen& pen, const OverlayState& state, const Box& box) {
     const bool is_known = !state.is_silent && !state.genre.empty() && state.genre != "unknown";
     const float posterior = is_known ? state.genre_posterior : 0.0F;
     if (is_known && state.is_genre_told) {
-        pen.text(fonts.small, x + label + 8.0F, box.y + 14.0F, palette::kText, "as the file says");
+        pen.text(fonts.small, x + label + 8.0F, box.y + 14.0F, palette::kText, state.genre_teller);
     }
     if (is_known) {
         pen.text(fonts.small,

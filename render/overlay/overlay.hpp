@@ -67,10 +67,11 @@ struct OverlayState {
     // Music and dance.
     std::string_view genre{};      ///< "salsa"
     float genre_posterior = 0.0F;  ///< [0, 1]
-    bool is_genre_told = false;    ///< reads "as the file says"
-    std::string_view dance{};      ///< "salsa"; empty: none
-    std::string_view figure{};     ///< "basic step"
-    int figure_count = 0;          ///< 1 to figure_counts; 0: none
+    bool is_genre_told = false;    ///< reads who told it
+    std::string_view genre_teller = "as the file says";
+    std::string_view dance{};   ///< "salsa"; empty: none
+    std::string_view figure{};  ///< "basic step"
+    int figure_count = 0;       ///< 1 to figure_counts; 0: none
     /// counts that the figure has, 1 to 16
     int figure_counts = 8;
     // Sound.

@@ -233,6 +233,27 @@ TEST_F(Keys, d_goes_through_the_dances) {
     EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
 }
 
+TEST_F(Keys, u_keeps_the_dance_that_was_chosen_for_this_song) {
+    start("--no-overlay");
+    press({"u"});
+    ASSERT_TRUE(raks_->wait_for_output("no dance is kept: choose one first (D)"));
+    press({"d"});
+    ASSERT_TRUE(raks_->wait_for_output("dancing salsa"));
+    press({"u"});
+    ASSERT_TRUE(raks_->wait_for_output("salsa is kept for this song\n"));
+    press({"n"});
+    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
+    press({"d", "u"});
+    ASSERT_TRUE(raks_->wait_for_output("belly is kept for this song\n"));
+    const std::string folder = std::filesystem::canonical(folder_.path()).string();
+    EXPECT_EQ(read_file(folder_ / "state" / "raks" / "dances.tsv").value_or("none"),
+              "dance\tartist\tfolder\tsong\nsalsa\t\t" + folder + "\t" + folder +
+                  "/one.wav\nbelly\t\t" + folder + "\t" + folder + "/two.wav\n");
+    raks_.reset();
+    start({"play", "--no-sound", "--no-overlay", "--as-live"});
+    EXPECT_TRUE(raks_->wait_for_output("salsa, as you said"));
+}
+
 TEST_F(Keys, b_goes_back_to_the_file_before) {
     start("--no-overlay");
     press({"n"});

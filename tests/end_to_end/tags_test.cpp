@@ -81,5 +81,50 @@ TEST_F(ToldByTags, a_bad_table_is_one_line_with_its_place) {
         {"dance", file, "-o", path("x.bvh")}, 1, "genres.toml: line 5: \"A-B\": is the same");
 }
 
+class ToldByPerson : public ToldByTags {
+ protected:
+    void write_corrections(const std::string& text) const {
+        std::filesystem::create_directories(folder_ / "state" / "raks");
+        ASSERT_TRUE(write_file(folder_ / "state" / "raks" / "dances.tsv", text));
+    }
+    [[nodiscard]] std::string row(const std::string& dance, const std::string& song) const {
+        const std::filesystem::path folder = std::filesystem::canonical(folder_.path());
+        return "dance\tartist\tfolder\tsong\n" + dance + "\tCelia\t" + folder.string() + "\t" +
+               (folder / song).string() + "\n";
+    }
+};
+
+TEST_F(ToldByPerson, a_song_is_danced_as_they_said_and_measured_as_it_is) {
+    const std::string file = tagged("a.flac", "-metadata genre=Salsa -metadata artist=Celia");
+    const std::string before = run({"analyze", file, "--json"}).out;
+    for (const char* const song : {"a.flac", "another of the album.flac"}) {
+        SCOPED_TRACE(song);
+        write_corrections(row("belly", song));
+        for (const char* const way : {"--as-live", "--ignore-tags"}) {
+            const ProcessResult play = run({"play", file, "--headless", "--no-sound", way});
+            EXPECT_EQ(play.exit_code, 0);
+            EXPECT_NE(play.err.find("belly, as you said\n"), std::string::npos) << play.err;
+            EXPECT_EQ(play.err.find("as the file says"), std::string::npos) << play.err;
+        }
+        const ProcessResult dance = run({"-v", "dance", file, "-o", path("x.bvh")});
+        EXPECT_EQ(dance.exit_code, 0);
+        EXPECT_NE(dance.err.find("you said belly\n"), std::string::npos) << dance.err;
+        EXPECT_EQ(run({"analyze", file, "--json"}).out, before) << "analyze reads no state";
+    }
+}
+
+TEST_F(ToldByPerson, a_bad_file_is_one_line_with_its_place_and_the_music_plays) {
+    const std::string file = tagged("a.flac", "-metadata genre=Salsa");
+    write_corrections("dance\tartist\tfolder\tsong\nbelly\tCelia\n");
+    const ProcessResult play = run({"play", file, "--headless", "--no-sound", "--as-live"});
+    EXPECT_EQ(play.exit_code, 0);
+    EXPECT_NE(
+        play.err.find("dances.tsv: line 2: 2 columns, there must be 4; no dance that you said "
+                      "is used\n"),
+        std::string::npos)
+        << play.err;
+    EXPECT_NE(play.err.find("salsa, as the file says\n"), std::string::npos) << play.err;
+}
+
 }  // namespace
 }  // namespace raks::test

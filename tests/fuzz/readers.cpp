@@ -11,6 +11,7 @@ std::span<const Reader> readers() {
         {"settings", read_settings, {"config/default.toml"}, 2000},
         {"devices", read_devices, {}, 2000},
         {"dances", read_dances, {"models/trained/dances.toml"}, 2000},
+        {"dance_corrections", read_dance_corrections, {}, 2000},
         {"genre_words", read_genre_words, {"config/genres.toml"}, 300},
         {"grammar", read_grammar, {"models/trained/salsa.toml", "models/trained/belly.toml"}, 2000},
         {"styles", read_styles, {"config/styles/palettes.toml"}, 300},

@@ -1,5 +1,6 @@
 // What is done with texts in tables, lists of beats and playlists.
 #include "audio/evaluate/beat_corpus.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/list_forms.hpp"
 #include "motion/figures/label_tables.hpp"
 #include "tests/fuzz/promise.hpp"
@@ -22,6 +23,16 @@ bool read_faults(std::string_view text) { return motion::parse_faults(text, "x.t
 
 bool read_index(std::string_view text) {
     return audio::parse_beat_index(text, "index.tsv").has_value();
+}
+
+bool read_dance_corrections(std::string_view text) {
+    const auto corrections = engine::DanceCorrections::parse(text, "x.tsv");
+    if (!corrections) {
+        return false;
+    }
+    const auto again = engine::DanceCorrections::parse(corrections->to_tsv(), "y.tsv");
+    must(again && again->all() == corrections->all());
+    return true;
 }
 
 bool read_beat_list(std::string_view text) {

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     setenv("XDG_CACHE_HOME", (home.path() / "cache").c_str(), 1);
     raks::test::share_solved_dances(home.path() / "cache",
                                     std::filesystem::path(argv[0]).filename().string());
+    setenv("XDG_STATE_HOME", (home.path() / "state").c_str(), 1);
     setenv("XDG_DATA_HOME", (home.path() / "share").c_str(), 1);
     // What Mesa compiled: a quarter of what a small picture costs.
     setenv("MESA_SHADER_CACHE_DIR", raks::test::shared_folder("shaders").c_str(), 1);

@@ -248,5 +248,20 @@ TEST(GenreRecognizer, bars_of_another_metre_forbid_what_is_told) {
     EXPECT_EQ(stage.now(), shipped::salsa);
 }
 
+TEST(GenreRecognizer, what_is_certain_is_neither_outvoted_nor_forbidden) {
+    GenreModel model = test::small_genre_model();
+    model.genres[1] = "waltz";
+    Stage stage(told(1, kCertainPrior), model);
+    stage.play(20.0, kSalsa);
+    for (const MusicState& state : stage.states()) {
+        ASSERT_EQ(state.genre, shipped::waltz) << to_seconds(state.time);
+        ASSERT_TRUE(state.is_genre_told);
+    }
+    EXPECT_NEAR(stage.chance(1), 1.0, 1e-5);
+    Stage heard(told(1, kCertainPrior));
+    heard.play(6.0, kHouse);
+    EXPECT_TRUE(heard.states().back().is_genre_told) << "heard, too";
+}
+
 }  // namespace
 }  // namespace raks::audio

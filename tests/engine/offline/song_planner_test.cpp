@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "tests/engine/installed.hpp"
+#include "tests/support/dances.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
@@ -44,6 +47,30 @@ TEST_F(SongPlannerTest, plans_a_file_and_keeps_the_plan) {
     EXPECT_EQ(planner.look(file).plan, plan) << "the next one is planned beside it";
     planner.prepare(song("c.wav", 8.0));
     EXPECT_EQ(planner.look(file).plan, nullptr) << "two are kept";
+}
+
+TEST_F(SongPlannerTest, plans_anew_what_a_person_has_corrected_meanwhile) {
+    AnalyzerModels models = installed::models();
+    models.corrections = std::make_shared<KeptCorrections>(DanceCorrections());
+    SongPlanner planner(models);
+    const auto file = song("a.wav", 12.0);
+    const auto next = song("b.wav", 8.0);
+    planner.prepare(file);
+    planner.prepare(next);
+    const PlanOfSong heard = planner.wait_for(next);
+    const PlanOfSong playing = planner.wait_for(file);
+    ASSERT_TRUE(heard && playing);
+    EXPECT_NE(heard->states.front().genre, shipped::waltz);
+    planner.prepare(next);
+    EXPECT_EQ(planner.look(next).plan, heard) << "nothing was said";
+    const auto place = place_of_song(next);
+    ASSERT_TRUE(models.corrections->keep({"waltz", "", place.parent_path(), place}));
+    planner.prepare(next);
+    const PlanOfSong corrected = planner.wait_for(next);
+    ASSERT_TRUE(corrected);
+    EXPECT_EQ(corrected->states.front().genre, shipped::waltz);
+    EXPECT_EQ(planner.look(file).plan, playing) << "what plays goes on by its plan";
+    std::filesystem::remove(DanceCorrections::path());
 }
 
 TEST_F(SongPlannerTest, a_file_that_cannot_be_read_has_no_plan) {

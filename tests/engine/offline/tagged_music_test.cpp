@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "base/pending_file.hpp"
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/song_planner.hpp"
+#include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/told_genre.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/dances.hpp"
@@ -59,7 +61,7 @@ std::vector<MusicState> as_live(const fs::path& file, const AnalyzerModels& mode
     };
     auto source = MusicSource::open(file);
     EXPECT_TRUE(source) << source.error().message;
-    auto analyzer = make_analyzer(source->rate(), told(models, source->tags()));
+    auto analyzer = make_analyzer(source->rate(), told(models, source->tags(), file));
     EXPECT_TRUE(analyzer);
     Keep keep;
     for (auto block = source->next(); !block.mono.empty(); block = source->next()) {
@@ -220,8 +222,65 @@ TEST_F(TaggedMusic, odd_and_damaged_tags_are_harmless_and_never_shown_raw) {
             }
         }
         EXPECT_EQ(tags.bpm, std::nullopt);
-        EXPECT_EQ(told_by(installed::models(), tags).dance(), c.dance) << tags.genre;
+        EXPECT_EQ(told_by(installed::models(), tags, {}).dance(), c.dance) << tags.genre;
     }
+}
+
+/// The models, with what a person said.
+AnalyzerModels corrected(const DanceCorrection& correction) {
+    DanceCorrections corrections;
+    EXPECT_TRUE(corrections.set(correction));
+    AnalyzerModels models = installed::models();
+    models.corrections = std::make_shared<KeptCorrections>(std::move(corrections));
+    return models;
+}
+
+TEST_F(TaggedMusic, what_a_person_said_of_a_song_is_danced_from_the_first_beat_to_the_last) {
+    // Clearly a house, whose bars are no waltz's, and the file says so, too.
+    const fs::path file = tagged(music(audio::Style::four_on_the_floor, 124.0, 25.0),
+                                 "a.flac",
+                                 "-metadata genre=House -metadata artist=Celia");
+    const fs::path place = place_of_song(file);
+    const AnalyzerModels models = corrected({"waltz", "Celia", place.parent_path(), place});
+    for (const auto& states : {as_live(file, models), known_ahead(file, models)}) {
+        for (const MusicState& state : states) {
+            ASSERT_EQ(state.genre, shipped::waltz) << to_seconds(state.time);
+            ASSERT_TRUE(state.is_genre_told);
+        }
+    }
+    const auto evidence = told_by(models, {.artist = "Celia", .genre = "House"}, file);
+    EXPECT_EQ(teller_of(evidence), "as you said");
+    AnalyzerModels no_tags = models;
+    no_tags.words = nullptr;  // --ignore-tags
+    EXPECT_EQ(told_by(no_tags, {}, file).dance(), "waltz");
+}
+
+TEST_F(TaggedMusic, what_a_person_said_of_an_album_counts_until_something_else_is_heard) {
+    const fs::path file = tagged(music(audio::Style::maqsum, 110.0, 21.0),
+                                 "a.flac",
+                                 "-metadata genre=House -metadata artist=Celia");
+    const fs::path folder = place_of_song(file).parent_path();
+    const AnalyzerModels models = corrected({"salsa", "Celia", folder, folder / "other.flac"});
+    const auto evidence = told_by(models, {.artist = "Celia", .genre = "House"}, file);
+    EXPECT_EQ(evidence.dance(), "salsa") << "before the file's own words";
+    EXPECT_EQ(evidence.dances.front().second, kAlbumStrength);
+    EXPECT_EQ(teller_of(evidence), "as you said");
+    const auto states = as_live(file, models);
+    EXPECT_EQ(shown_at(states, 0.0), shipped::salsa);
+    EXPECT_TRUE(states.front().is_genre_told);
+    EXPECT_EQ(shown_at(states, 20.0), shipped::belly);
+    EXPECT_FALSE(states.back().is_genre_told);
+    // Of nobody's, of somebody else's and of another folder's music nothing was said.
+    EXPECT_EQ(told_by(models, {}, file).dance(), "");
+    EXPECT_EQ(told_by(models, {.artist = "Tito"}, file).dance(), "");
+    EXPECT_EQ(told_by(models, {.artist = "Celia"}, folder / "deeper" / "a.flac").dance(), "");
+    EXPECT_EQ(told_by(models, {.artist = "Celia"}, {}).dance(), "") << "a pipe";
+    EXPECT_EQ(told_by(installed::models(), {.artist = "Celia"}, file).dance(), "");
+}
+
+TEST_F(TaggedMusic, a_dance_that_no_model_knows_any_more_says_nothing) {
+    const AnalyzerModels models = corrected({"tango", "Celia", "/m", "/m/1.mp3"});
+    EXPECT_EQ(told_by(models, {.artist = "Celia", .genre = "House"}, "/m/1.mp3").dance(), "house");
 }
 
 }  // namespace
