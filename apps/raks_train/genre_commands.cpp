@@ -146,6 +146,11 @@ void add_options(CLI::App& app, GenreOptions& options) {
                    options.add_to,
                    "MODEL.json: learn the folder's genres beside those it knows, from the sample "
                    "that was kept of their music");
+    app.add_flag("--add",
+                 options.adds_kept,
+                 "learn from the songs whose dance you kept (key U of play), too; without a folder "
+                 "and --add-to they adapt what the music tagger says of the dances, in the model "
+                 "of --tagger-for or the one that comes with Raks");
     app.add_option("--tagger-for",
                    options.tagger_for,
                    "MODEL.json: fit only what the music tagger says of its dances to the folder's "

@@ -123,6 +123,10 @@ Expected<audio::FeatureMaterial> extract_all(const GenreOptions& options,
             return fail(listed.error());
         }
         material.files = std::move(*listed);
+    }
+    const auto& kept = options.recordings.kept;
+    material.files.insert(material.files.end(), kept.begin(), kept.end());
+    if (!material.files.empty()) {
         // The same file under two genres would be trained both ways.
         if (auto distinct = audio::check_distinct(material.files); !distinct) {
             return fail(distinct.error());

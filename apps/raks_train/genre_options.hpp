@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/evaluate/genre_folder.hpp"
 #include "audio/music/damage/sound_augmentation.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/dance_list.hpp"
@@ -24,6 +25,7 @@ struct RecordingOptions {
     std::vector<std::string> left_out_genres;  ///< are not read
     bool trains_on_free_alone = false;         ///< only clips whose train_ok is yes
     bool is_strict = false;                    ///< a file that cannot be read is an error
+    std::vector<audio::MusicFile> kept;        ///< songs whose dance a person kept, with --add
 };
 
 /// Music that is written, performed and played to learn from.
@@ -76,6 +78,7 @@ struct GenreOptions {
     std::shared_ptr<const DanceList> dances;  ///< whose music is told apart
     std::filesystem::path output;             ///< model to write, or shard with shards.share_text
     std::filesystem::path add_to;             ///< model that is added to, or empty
+    bool adds_kept = false;                   ///< learns from the songs that a person kept
     std::filesystem::path tagger_for;         ///< model that gets the tagger's classes, or empty
     std::filesystem::path cache;              ///< folder that keeps features between runs, or empty
     int sample_kilobytes = static_cast<int>(audio::kMostSampleBytes / 1'000);  ///< kept of a genre

@@ -28,7 +28,8 @@ namespace {
 class KeepWords final : public audio::MusicAnalyzer::Sink {
  public:
     explicit KeepWords(audio::TagSource& tags) : tags_(tags) {}
-    void on_state(const MusicState&) noexcept override {
+    void on_state(const MusicState& state) noexcept override {
+        genre = state.genre;
         const audio::TaggerWord& word = tags_.word();
         if (word.patches > 0 && (word.patches != patches_ || word.until != until_)) {
             patches.push_back(word.embedding);
@@ -37,6 +38,7 @@ class KeepWords final : public audio::MusicAnalyzer::Sink {
         until_ = word.until;
     }
     std::vector<std::array<float, audio::kTagFeatures>> patches;
+    DanceId genre = DanceId::none;  // that is recognised at the end
 
  private:
     audio::TagSource& tags_;
@@ -44,8 +46,12 @@ class KeepWords final : public audio::MusicAnalyzer::Sink {
     StreamTime until_{};
 };
 
-Expected<audio::TaggedPiece> tagged(const audio::MusicFile& file,
-                                    const engine::AnalyzerModels& models) {
+struct Heard {
+    audio::TaggedPiece piece;
+    bool is_right = false;  // the dance is recognised at the end
+};
+
+Expected<Heard> heard_with(const audio::MusicFile& file, const engine::AnalyzerModels& models) {
     const auto music = audio::read_all_mono(file.path);
     if (!music) {
         return fail(music.error());
@@ -57,7 +63,18 @@ Expected<audio::TaggedPiece> tagged(const audio::MusicFile& file,
     }
     KeepWords words(*tags);
     analyzer->process(music->samples, words);
-    return audio::TaggedPiece{file.genre, file.group, std::move(words.patches)};
+    return Heard{{file.genre, file.group, std::move(words.patches)},
+                 words.genre == models.dances->id_of(file.genre)};
+}
+
+// All files, each heard by itself; the order does not depend on the threads.
+std::vector<Expected<Heard>> hear_all(const std::vector<audio::MusicFile>& files,
+                                      const engine::AnalyzerModels& models,
+                                      int threads) {
+    std::vector<Expected<Heard>> heard(files.size(), Heard{});
+    run_parallel(
+        files.size(), threads, [&](std::size_t i) { heard[i] = heard_with(files[i], models); });
+    return heard;
 }
 
 void say_how_many_are_right(const std::vector<audio::TaggedPiece>& pieces,
@@ -97,10 +114,7 @@ Expected<void> learn_tagger(const GenreOptions& options, const std::string& comm
     if (!files) {
         return fail(files.error());
     }
-    std::vector<Expected<audio::TaggedPiece>> heard(files->size(), audio::TaggedPiece{});
-    run_parallel(files->size(), options.threads, [&](std::size_t i) {
-        heard[i] = tagged((*files)[i], *models);
-    });
+    auto heard = hear_all(*files, *models, options.threads);
     std::vector<audio::TaggedPiece> pieces;
     std::vector<bool> is_free;
     std::set<std::string> credits;
@@ -109,7 +123,7 @@ Expected<void> learn_tagger(const GenreOptions& options, const std::string& comm
             say(heard[i].error().message + "; left out");
             continue;
         }
-        pieces.push_back(std::move(*heard[i]));
+        pieces.push_back(std::move(heard[i]->piece));
         is_free.push_back((*files)[i].may_train || !recordings.trains_on_free_alone);
         const std::string& credit = (*files)[i].credit;
         if (is_free.back() && (*model)->attribution.find(credit) == std::string::npos) {
@@ -140,6 +154,64 @@ Expected<void> learn_tagger(const GenreOptions& options, const std::string& comm
         with_tagger.attribution += "; " + credit;
     }
     return audio::save_genre(with_tagger, options.output);
+}
+
+namespace {
+
+std::size_t count_right(const std::vector<Expected<Heard>>& heard) {
+    return static_cast<std::size_t>(std::count_if(
+        heard.begin(), heard.end(), [](const auto& song) { return song && song->is_right; }));
+}
+
+}  // namespace
+
+Expected<std::size_t> adapt_to_kept(const GenreOptions& options, const std::string& command) {
+    auto models = engine::load_analyzer_models(options.dances, {});
+    if (!models || !models->tagger) {
+        return fail(models ? Error{models->tagger_note} : models.error());
+    }
+    if (!options.tagger_for.empty()) {
+        auto model = audio::load_genre(options.tagger_for);
+        if (!model) {
+            return fail(model.error());
+        }
+        models->genres = std::move(*model);
+    }
+    const audio::GenreModel& base = *models->genres;
+    if (!base.tagger) {
+        return fail("the model has no part for the music tagger: learn it with --tagger-for");
+    }
+    const auto& files = options.recordings.kept;
+    const auto before = hear_all(files, *models, options.threads);
+    std::vector<const audio::TaggedPiece*> pieces;
+    std::set<std::string> artists;
+    for (const Expected<Heard>& song : before) {
+        if (!song) {
+            say(song.error().message + "; left out");
+        } else if (audio::class_of(song->piece.genre, base.genres) < base.genres.size()) {
+            pieces.push_back(&song->piece);
+            artists.insert(song->piece.group);
+        } else {
+            say("left out: the model does not know " + song->piece.genre);
+        }
+    }
+    auto tagger = audio::adapt_tagger(*base.tagger, pieces, base.genres);
+    if (!tagger) {
+        return fail(tagger.error());
+    }
+    auto adapted = std::make_shared<audio::GenreModel>(base);
+    adapted->tagger = std::move(*tagger);
+    adapted->made_with += "; " + command;
+    models->genres = adapted;
+    say(
+        fmt::format("what the music tagger says of the dances is adapted to {} kept songs "
+                    "(artists: {}), nothing else is learnt: {} of them recognised before, {} now",
+                    pieces.size(),
+                    artists.size(),
+                    count_right(before),
+                    count_right(hear_all(files, *models, options.threads))));
+    auto saved = audio::save_genre(*adapted, options.output);
+    return saved ? Expected<std::size_t>(files.size() - pieces.size()) : fail(saved.error());
 }
 
 }  // namespace raks::apps

@@ -13,6 +13,7 @@
 #include "apps/raks_train/genre_learning.hpp"
 #include "apps/raks_train/genre_material.hpp"
 #include "apps/raks_train/installed_styles.hpp"
+#include "apps/raks_train/kept_songs.hpp"
 #include "apps/raks_train/tagger_learning.hpp"
 #include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
@@ -87,9 +88,13 @@ Expected<void> check_options(GenreOptions& options) {
         options.shards.share = *share;
     }
     if (options.output.empty() && !(options.shards.share_text.empty() && options.add_to.empty() &&
-                                    options.tagger_for.empty())) {
+                                    options.tagger_for.empty() && !options.adds_kept)) {
         return fail(
-            "--shard, --add-to and --tagger-for need -o FILE: where to keep what they make");
+            "--shard, --add, --add-to and --tagger-for need -o FILE: where to keep what they make");
+    }
+    if (options.adds_kept && !options.recordings.folder.empty() && !options.tagger_for.empty()) {
+        return fail(
+            "--add with --tagger-for adapts to the songs that you kept alone: name no folder");
     }
     if (options.validation.judges_damage &&
         (options.recordings.folder.empty() || options.validation.is_skipped)) {
@@ -188,7 +193,8 @@ Expected<void> learn(GenreOptions& options,
     return is_tested ? test_on_written(options, feature_plan, *model) : Expected<void>{};
 }
 
-Expected<void> run(GenreOptions& options, const std::string& command) {
+/// `skipped`: how many songs that a person kept cannot be learnt from.
+Expected<void> run(GenreOptions& options, const std::string& command, std::size_t& skipped) {
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
         return fail(catalogue.error());
@@ -197,6 +203,20 @@ Expected<void> run(GenreOptions& options, const std::string& command) {
     options.validation.pair = catalogue->pair();
     if (auto checked = check_options(options); !checked) {
         return checked;
+    }
+    if (options.adds_kept) {
+        auto kept = kept_songs(*options.dances);
+        if (!kept) {
+            return fail(kept.error());
+        }
+        options.recordings.kept = std::move(kept->files);
+        skipped = kept->skipped;
+    }
+    if (options.adds_kept && options.recordings.folder.empty() && options.add_to.empty() &&
+        options.written.pieces == 0) {
+        const auto left_out = adapt_to_kept(options, command);
+        skipped += left_out.value_or(0);
+        return left_out ? Expected<void>() : fail(left_out.error());
     }
     if (!options.tagger_for.empty()) {
         return learn_tagger(options, command);
@@ -253,7 +273,13 @@ void spread_options(GenreOptions& options) {
 
 ExitCode train_genre(GenreOptions options, const std::string& command) {
     spread_options(options);
-    return exit_code_of(run(options, command));
+    std::size_t skipped = 0;
+    ExitCode code = exit_code_of(run(options, command, skipped));
+    if (!code || *code != kExitDone || skipped == 0) {
+        return code;
+    }
+    say(fmt::format("{} kept songs skipped", skipped));
+    return kExitPartly;
 }
 
 }  // namespace raks::apps

@@ -198,8 +198,9 @@ TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {
         << text.substr(0, 900);
     EXPECT_TRUE(fs::exists(path("three.samples"))) << "a fourth can be added";
 
-    expect_failure(train({path("more"), "--add-to", two}),
-                   "--shard, --add-to and --tagger-for need -o FILE: where to keep what they make");
+    expect_failure(
+        train({path("more"), "--add-to", two}),
+        "--shard, --add, --add-to and --tagger-for need -o FILE: where to keep what they make");
     fs::copy(path("three.samples"), path("two.samples"), fs::copy_options::overwrite_existing);
     expect_failure(train({path("more"), "--add-to", two, "-o", path("x.json")}),
                    path("two.samples") + ": is of another model than two.json; train it again");
@@ -216,6 +217,62 @@ TEST_F(TrainGenre, a_genre_is_added_without_the_music_of_the_others) {
                    path("three.samples") +
                        ": was made with other features or another beat network than this program "
                        "has; train the model again");
+}
+
+TEST_F(TrainGenre, songs_whose_dance_was_kept_adapt_the_model_that_comes_with_raks) {
+    const std::vector<std::string> add = {"train", "genre", "--add", "-o", path("mine.json")};
+    expect_failure(run(add),
+                   "no dance of a song was kept yet: play it, choose its dance (D) and press U");
+    write_music("album/1.wav", Style::four_on_the_floor, 1, 20.0);
+    write_music("album/2.wav", Style::four_on_the_floor, 2, 20.0);
+    const std::string folder = path("album");
+    const auto row = [&](const std::string& dance, const std::string& song) {
+        return dance + "\tCelia\t" + folder + "\t" + folder + "/" + song + "\n";
+    };
+    const std::string head = "dance\tartist\tfolder\tsong\n";
+    write("state/raks/dances.tsv", head + row("rock", "1.wav") + row("rock", "2.wav"));
+    const ProcessResult all = run(add);
+    EXPECT_EQ(all.exit_code, 0) << all.err;
+    EXPECT_NE(all.err.find("raks: what the music tagger says of the dances is adapted to 2 kept "
+                           "songs (artists: 1), nothing else is learnt: 0 of them recognised "
+                           "before, "),
+              std::string::npos)
+        << all.err;
+    // The new model is one that programs read.
+    const ProcessResult judged =
+        run({"eval", "genre", path("album"), "--model", path("mine.json")});
+    EXPECT_NE(judged.err.find("holds no folder of music"), std::string::npos) << judged.err;
+    // Those that are gone are named and counted.
+    write("state/raks/dances.tsv",
+          head + row("rock", "1.wav") + row("rock", "gone.wav") + row("polka", "2.wav"));
+    const ProcessResult some = run(add);
+    EXPECT_EQ(some.exit_code, 3) << some.err;
+    EXPECT_NE(some.err.find("raks: skipped " + folder + "/gone.wav: is not there any more\n"),
+              std::string::npos)
+        << some.err;
+    EXPECT_NE(some.err.find("raks: skipped " + folder + "/2.wav: dance \"polka\" is unknown\n"),
+              std::string::npos)
+        << some.err;
+    EXPECT_TRUE(some.err.ends_with("raks: 2 kept songs skipped\n")) << some.err;
+    write("state/raks/dances.tsv", head + "rock\n");
+    expect_failure(run(add),
+                   path("state/raks/dances.tsv") + ": line 2: 1 columns, there must be 4");
+    expect_failure(
+        run({"train", "genre", "--add"}),
+        "--shard, --add, --add-to and --tagger-for need -o FILE: where to keep what they "
+        "make");
+}
+
+TEST_F(TrainGenre, songs_whose_dance_was_kept_are_recordings_beside_a_folders) {
+    write_folder("music");
+    write_music("album/1.wav", Style::four_on_the_floor, 3);
+    write("state/raks/dances.tsv",
+          "dance\tartist\tfolder\tsong\nrock\tCelia\t" + path("album") + "\t" +
+              path("album/1.wav") + "\n");
+    const ProcessResult result =
+        train({path("music"), "--add", "--no-validation", "-o", path("model.json")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(model("model.json").find("\"rock\""), std::string::npos);
 }
 
 TEST_F(TrainGenre, wrong_usage_says_so) {

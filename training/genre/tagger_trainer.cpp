@@ -54,7 +54,16 @@ Rows rows_of(std::span<const TaggedPiece* const> pieces, std::span<const std::st
     return rows;
 }
 
-void standardize(Rows& rows, TaggerClasses& tagger) {
+void standardize(Rows& rows, const TaggerClasses& tagger) {
+    for (auto& row : rows.inputs) {
+        for (std::size_t i = 0; i < kTagFeatures; ++i) {
+            row[i] = (row[i] - static_cast<double>(tagger.mean[i])) /
+                     static_cast<double>(tagger.deviation[i]);
+        }
+    }
+}
+
+void standardize_by_itself(Rows& rows, TaggerClasses& tagger) {
     constexpr double kLeast = 1e-5;
     const auto n = static_cast<double>(rows.inputs.size());
     for (std::size_t i = 0; i < kTagFeatures; ++i) {
@@ -75,16 +84,22 @@ void standardize(Rows& rows, TaggerClasses& tagger) {
     }
 }
 
-// Slope of the penalized likelihood by weights (classes x features) and then biases.
+// Weights (classes x features), and then biases; `held`: how many of them, from the first on, the
+// penalty holds near `centre`.
+struct Penalty {
+    std::vector<double> centre;
+    std::size_t held = 0;
+};
+
+// Slope of the penalized likelihood.
 void add_slopes(const Rows& rows,
                 std::size_t classes,
+                const Penalty& penalty,
                 const std::vector<double>& numbers,
                 std::vector<double>& slopes) {
-    std::copy(numbers.begin(),
-              numbers.begin() + static_cast<std::ptrdiff_t>(classes * kTagFeatures),
-              slopes.begin());
-    std::fill(
-        slopes.begin() + static_cast<std::ptrdiff_t>(classes * kTagFeatures), slopes.end(), 0.0);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        slopes[i] = i < penalty.held ? numbers[i] - penalty.centre[i] : 0.0;
+    }
     std::vector<double> chances(classes);
     for (std::size_t r = 0; r < rows.inputs.size(); ++r) {
         double most = -1e300;
@@ -111,6 +126,24 @@ void add_slopes(const Rows& rows,
         }
     }
 }
+
+// The numbers at which the penalized likelihood is greatest, from the centre on.
+void climb(const Rows& rows, const Penalty& penalty, TaggerClasses& tagger) {
+    const std::size_t classes = penalty.centre.size() / (kTagFeatures + 1);
+    std::vector<double> numbers = penalty.centre;
+    std::vector<double> slopes(numbers.size());
+    Adam<double> adam(numbers.size());
+    for (int step = 0; step < kSteps; ++step) {
+        add_slopes(rows, classes, penalty, numbers, slopes);
+        adam.step(slopes, kRate * (1.0 - static_cast<double>(step) / (kSteps + 1)), numbers);
+    }
+    const auto biases = numbers.begin() + static_cast<std::ptrdiff_t>(classes * kTagFeatures);
+    tagger.weights.assign(numbers.begin(), biases);
+    tagger.bias.assign(biases, numbers.end());
+}
+
+constexpr const char* kTooShort =
+    "none of the music lasts for the 3 s that the tagger hears at once";
 
 // Fold of each group: the largest first, each to the fold with the fewest pieces.
 std::map<std::string, std::size_t> fold_of_groups(std::span<const TaggedPiece> pieces) {
@@ -147,24 +180,36 @@ Expected<TaggerClasses> fit_tagger(std::span<const TaggedPiece* const> pieces,
     const std::size_t classes = genres.size() + 1;
     Rows rows = rows_of(pieces, genres);
     if (rows.inputs.empty()) {
-        return fail("none of the music lasts for the 3 s that the tagger hears at once");
+        return fail(kTooShort);
     }
     TaggerClasses tagger;
-    standardize(rows, tagger);
-    std::vector<double> numbers(classes * kTagFeatures + classes, 0.0);
-    std::vector<double> slopes(numbers.size());
-    Adam<double> adam(numbers.size());
-    for (int step = 0; step < kSteps; ++step) {
-        add_slopes(rows, classes, numbers, slopes);
-        adam.step(slopes, kRate * (1.0 - static_cast<double>(step) / (kSteps + 1)), numbers);
-    }
-    const auto biases = numbers.begin() + static_cast<std::ptrdiff_t>(classes * kTagFeatures);
-    tagger.weights.assign(numbers.begin(), biases);
-    tagger.bias.assign(biases, numbers.end());
+    standardize_by_itself(rows, tagger);
+    climb(rows,
+          {std::vector<double>(classes * (kTagFeatures + 1), 0.0), classes * kTagFeatures},
+          tagger);
     for (const std::string& genre : genres) {
         tagger.knows.push_back(tagger_knows(genre));
     }
     tagger.knows.push_back(true);  // none of the dances
+    return tagger;
+}
+
+Expected<TaggerClasses> adapt_tagger(const TaggerClasses& base,
+                                     std::span<const TaggedPiece* const> pieces,
+                                     std::span<const std::string> genres) {
+    if (auto fits = validate(base, genres.size() + 1); !fits) {
+        return fail(fits.error());
+    }
+    Rows rows = rows_of(pieces, genres);
+    if (rows.inputs.empty()) {
+        return fail(kTooShort);
+    }
+    standardize(rows, base);
+    std::vector<double> centre(base.weights.begin(), base.weights.end());
+    centre.insert(centre.end(), base.bias.begin(), base.bias.end());
+    const std::size_t held = centre.size();
+    TaggerClasses tagger = base;
+    climb(rows, {std::move(centre), held}, tagger);
     return tagger;
 }
 

@@ -31,6 +31,14 @@ struct TaggedPiece {
 [[nodiscard]] Expected<TaggerClasses> fit_tagger(std::span<const TaggedPiece* const> pieces,
                                                  std::span<const std::string> genres);
 
+/// Moves classes that were fitted to other pieces, which are not at hand, towards these: as
+/// fit_tagger(), but the penalty holds the numbers, biases too, near those of `base` and not near 0
+/// (maximum a posteriori, Chelba & Acero 2004). Mean, deviation and what the tagger knows stay. A
+/// few pieces move them a little. Errors: no piece has a patch; `base` is of other genres.
+[[nodiscard]] Expected<TaggerClasses> adapt_tagger(const TaggerClasses& base,
+                                                   std::span<const TaggedPiece* const> pieces,
+                                                   std::span<const std::string> genres);
+
 /// For each piece the mean ln probabilities of its patches (rows of genres.size() + 1) by classes
 /// that were fitted without its group: groups are dealt to ten folds, the largest first. A piece
 /// without a patch has zeros. Errors: as fit_tagger().

@@ -37,6 +37,14 @@ std::vector<TaggedPiece> made_pieces() {
     return pieces;
 }
 
+std::vector<const TaggedPiece*> pointers_to(const std::vector<TaggedPiece>& pieces) {
+    std::vector<const TaggedPiece*> pointers(pieces.size());
+    std::transform(pieces.begin(), pieces.end(), pointers.begin(), [](const TaggedPiece& piece) {
+        return &piece;
+    });
+    return pointers;
+}
+
 TEST(TaggerTrainer, tells_what_its_numbers_tell_of_groups_it_has_not_heard) {
     const std::vector<TaggedPiece> pieces = made_pieces();
     const auto held_out = held_out_tagger(pieces, kGenres);
@@ -50,12 +58,41 @@ TEST(TaggerTrainer, tells_what_its_numbers_tell_of_groups_it_has_not_heard) {
     EXPECT_GE(right, 57U);
 }
 
+// Pieces of one dance that the classes took for the other: a few move them a little, many more.
+TEST(TaggerTrainer, classes_are_moved_towards_further_pieces_as_far_as_those_say) {
+    const std::vector<TaggedPiece> pieces = made_pieces();
+    const std::vector<const TaggedPiece*> all = pointers_to(pieces);
+    const auto base = fit_tagger(all, kGenres);
+    ASSERT_TRUE(base);
+    TaggedPiece odd = pieces[0];
+    odd.genre = kGenres[1];
+    const auto chance_of_truth = [&](const TaggerClasses& tagger, const TaggedPiece& piece) {
+        std::vector<float> logs(kGenres.size() + 1);
+        tagger.log_chances(piece.patches.front(), logs);
+        return logs[piece.genre == kGenres[1] ? 1 : 0];
+    };
+    float last = chance_of_truth(*base, odd);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{20}, std::size_t{400}}) {
+        const std::vector<const TaggedPiece*> further(count, &odd);
+        const auto moved = adapt_tagger(*base, further, kGenres);
+        ASSERT_TRUE(moved) << moved.error().message;
+        EXPECT_TRUE(validate(*moved, kGenres.size() + 1));
+        EXPECT_EQ(moved->mean, base->mean);
+        EXPECT_EQ(moved->knows, base->knows);
+        EXPECT_GT(chance_of_truth(*moved, odd), last) << count;
+        last = chance_of_truth(*moved, odd);
+        if (count == 1) {
+            EXPECT_NEAR(chance_of_truth(*moved, pieces[3]), chance_of_truth(*base, pieces[3]), 0.1);
+        }
+    }
+    EXPECT_FALSE(adapt_tagger(*base, {}, kGenres));
+    const std::vector<std::string> more = {"house", "hiphop", "rock"};
+    EXPECT_FALSE(adapt_tagger(*base, all, more)) << "of other genres";
+}
+
 TEST(TaggerTrainer, the_same_pieces_give_the_same_numbers) {
     const std::vector<TaggedPiece> pieces = made_pieces();
-    std::vector<const TaggedPiece*> all;
-    for (const TaggedPiece& piece : pieces) {
-        all.push_back(&piece);
-    }
+    const std::vector<const TaggedPiece*> all = pointers_to(pieces);
     const auto one = fit_tagger(all, kGenres);
     const auto other = fit_tagger(all, kGenres);
     ASSERT_TRUE(one && other);
