@@ -452,6 +452,10 @@ const TrackedHop& MusicAnalyzer::tracked() const noexcept { return state_->track
 
 const HopSound& MusicAnalyzer::sound() const noexcept { return state_->form.sound(); }
 
+const GenreRecognizer* MusicAnalyzer::genres() const noexcept {
+    return state_->recognizer ? &*state_->recognizer : nullptr;
+}
+
 std::uint64_t MusicAnalyzer::bad_samples() const noexcept { return state_->bad_samples; }
 
 }  // namespace raks::audio

@@ -18,11 +18,12 @@ namespace raks::audio {
 /// finds no bars and ignores commands.
 enum class BeatMethod : std::uint8_t { pointer, paper };
 
-class BeatNetwork;  // audio/beat/network/beat_network.hpp
-struct GenreModel;  // audio/genre/genre_model.hpp
-struct TrackedHop;  // audio/beat/beat_tracker.hpp
-struct HopSound;    // audio/form/hop_sound.hpp
-class TagSource;    // audio/genre/tag_source.hpp
+class GenreRecognizer;  // audio/genre/genre_recognizer.hpp
+class BeatNetwork;      // audio/beat/network/beat_network.hpp
+struct GenreModel;      // audio/genre/genre_model.hpp
+struct TrackedHop;      // audio/beat/beat_tracker.hpp
+struct HopSound;        // audio/form/hop_sound.hpp
+class TagSource;        // audio/genre/tag_source.hpp
 
 /// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
@@ -124,6 +125,10 @@ class MusicAnalyzer {
 
     /// What the form tracker heard of the newest hop. Threads: the owner.
     [[nodiscard]] const HopSound& sound() const noexcept;
+
+    /// Who tells the genre, to be asked what its parts heard of the newest hop; null: nobody.
+    /// Threads: the owner.
+    [[nodiscard]] const GenreRecognizer* genres() const noexcept;
 
     /// Number of samples that were NaN or infinite since reset(). Threads: the owner.
     [[nodiscard]] std::uint64_t bad_samples() const noexcept;

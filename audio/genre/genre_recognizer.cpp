@@ -15,24 +15,7 @@ constexpr float kQuiet = -58.0F;   // dBFS, of one hop: below is silence
 constexpr HopIndex kFirstHop = 6;  // no MFCC vector is complete before
 // ln probability of classes that the model lacks, and the lowest one that is published.
 constexpr float kImprobable = -20.0F;
-// What is known beforehand of a dance whose bars are others than those that are heard: nothing,
-// once the beat has been sure and heard for so long.
-constexpr float kSureBeat = 0.6F;
-constexpr std::int64_t kMetreHops = 1000;
-
-bool is_in_threes(int beats_per_bar) noexcept { return beats_per_bar % 3 == 0; }
-
-// So that the exponentials of the first `classes` sum to 1.
-void normalize(std::span<float> log_chances) noexcept {
-    const float most = *std::max_element(log_chances.begin(), log_chances.end());
-    float sum = 0.0F;
-    for (const float each : log_chances) {
-        sum += std::exp(each - most);
-    }
-    for (float& each : log_chances) {
-        each -= most + std::log(sum);
-    }
-}
+static_assert(kBlock / kHopsPerSecond == DanceDecision::kStep);
 
 }  // namespace
 
@@ -72,6 +55,7 @@ GenreRecognizer::GenreRecognizer(std::shared_ptr<const GenreModel> model,
         bars_[c] = dance != nullptr ? dance->beats_per_bar : 0;
     }
     song_ = SongJudgement(model_->classes());
+    decision_ = decision(settings_.prior);
     // The window length nearest to the wanted one.
     const auto nearest = [&](int a, int b) {
         const double wanted = settings_.window_seconds / kSegmentSeconds;
@@ -112,48 +96,8 @@ void GenreRecognizer::reset() noexcept RAKS_NONBLOCKING {
     counted_hops_ = 0;
     song_.reset();
     quiet_hops_ = 0;
-    // "None of them" with probability 1 until music is known.
-    log_chances_.fill(kImprobable);
-    log_chances_[model_->genres.size()] = 0.0F;
-    decision_ = challenger_ = heard_ = model_->genres.size();
-    leads_for_ = 0.0;
-    begin_with_prior();
-}
-
-// Nothing is heard yet.
-void GenreRecognizer::begin_with_prior() noexcept {
-    const std::span<const float> prior = std::span(settings_.prior).first(model_->classes());
-    const auto best = std::max_element(prior.begin(), prior.end());
-    if (*best > 0.0F) {
-        std::copy(prior.begin(), prior.end(), log_chances_.begin());
-        normalize(std::span(log_chances_).first(prior.size()));
-        decision_ = challenger_ = static_cast<std::size_t>(best - prior.begin());
-    }
-}
-
-// To what was heard: bars of another metre than a dance's take its prior away.
-void GenreRecognizer::add_prior(const BeatGrid& grid) noexcept {
-    const std::size_t classes = model_->classes();
-    const std::span<float> chances = std::span(log_chances_).first(classes);
-    heard_ = static_cast<std::size_t>(std::max_element(chances.begin(), chances.end()) -
-                                      chances.begin());
-    const bool is_metre_known = counted_hops_ >= kMetreHops && grid.confidence > kSureBeat;
-    bool is_changed = false;
-    for (std::size_t c = 0; c < classes; ++c) {
-        const DanceInfo* const dance =
-            settings_.dances ? settings_.dances->find(dances_[c]) : nullptr;
-        const bool is_forbidden =
-            is_metre_known && settings_.prior[c] < kCertainPrior && dance != nullptr &&
-            is_in_threes(dance->beats_per_bar) != is_in_threes(grid.beats_per_bar);
-        if (settings_.prior[c] != 0.0F && !is_forbidden) {
-            chances[c] += settings_.prior[c];
-            is_changed = true;
-        }
-    }
-    // Without a prior the values stay as they are, to the bit.
-    if (is_changed) {
-        normalize(chances);
-    }
+    moment_ = {};
+    decision_.reset();
 }
 
 void GenreRecognizer::advance(const MfccVector& mfcc,
@@ -258,29 +202,33 @@ GenreRecognizer::Judgement GenreRecognizer::judge(std::size_t window) const noex
     return judgement;
 }
 
-// The mean over the song; what a single kind of evidence says stays as it is.
-void GenreRecognizer::judge_song(const GenreScores::Values& logs,
-                                 double sureness,
-                                 const TaggerWord* word,
-                                 const MusicState& state) noexcept {
+DanceDecision GenreRecognizer::decision(const GenreLogProbabilities& prior) const noexcept {
+    return {model_->classes(), bars_, prior, settings_.rules};
+}
+
+GenreScores::Values GenreRecognizer::heard(SongJudgement::Asked asked,
+                                           const BeatGrid& grid) const noexcept RAKS_NONBLOCKING {
     constexpr float kSureBar = 0.6F;  // confidence of the beat grid
+    return song_.log_chances(asked, grid.confidence > kSureBar ? grid.beats_per_bar : 0, bars_);
+}
+
+// The mean over the song; what a single kind of evidence says stays as it is.
+GenreScores::Values GenreRecognizer::judge_song(const TaggerWord* word,
+                                                const BeatGrid& grid) noexcept {
     if (settings_.evidence != GenreEvidence::fused) {
-        log_chances_ = logs;
-        return;
+        return moment_.logs;
     }
-    song_.add(logs, sureness, kBlock / kHopsPerSecond);
+    song_.add(moment_.logs, moment_.sureness, DanceDecision::kStep);
     const bool has_tagger = word != nullptr && model_->tagger;
     if (has_tagger) {
         song_.add(*word, *model_->tagger);
     }
-    const int bar = state.grid.confidence > kSureBar ? state.grid.beats_per_bar : 0;
     using Asked = SongJudgement::Asked;
-    log_chances_ = song_.log_chances(has_tagger ? Asked::both : Asked::own_parts, bar, bars_);
+    return heard(has_tagger ? Asked::both : Asked::own_parts, grid);
 }
 
-// One decision every kBlock hops: scores, then hysteresis.
+// One decision every kBlock hops.
 void GenreRecognizer::decide(const TaggerWord* word, const MusicState& state) noexcept {
-    constexpr double kStep = kBlock / kHopsPerSecond;
     // Until the wanted window is full, the longest full one is used.
     std::size_t window = window_ + 1;
     Judgement judgement;
@@ -290,49 +238,25 @@ void GenreRecognizer::decide(const TaggerWord* word, const MusicState& state) no
     if (!judgement.is_full) {
         return;
     }
-    const std::size_t classes = model_->classes();
-    const double sureness =
-        static_cast<double>(kGenreWindows[window]) / static_cast<double>(kGenreWindows[window_]);
-    judge_song(judgement.log_chances, sureness, word, state);
-    add_prior(state.grid);
-    const auto chance = [&](std::size_t c) { return std::exp(log_chances_[c]); };
-    const std::size_t none = model_->genres.size();
-    std::size_t best = static_cast<std::size_t>(
-        std::max_element(log_chances_.begin(),
-                         log_chances_.begin() + static_cast<std::ptrdiff_t>(classes)) -
-        log_chances_.begin());
-    best = chance(best) < settings_.least_chance ? none : best;
-    const bool is_unknown = best == none;
-    // Applause, talk, the gap between two songs: sound without a beat does not end a dance. From
-    // "none of them" any dance may be entered.
-    const bool is_beatless =
-        decision_ != model_->genres.size() && state.grid.confidence < settings_.least_confidence;
-    // The lead must last without a break: anything else starts its time anew.
-    if (best == decision_ || is_beatless || chance(best) < chance(decision_) + settings_.margin) {
-        leads_for_ = 0.0;
-        challenger_ = best;
-        return;
-    }
-    // Another challenger than before starts at its own first step.
-    leads_for_ = best == challenger_ ? leads_for_ + kStep : kStep;
-    challenger_ = best;
-    if (leads_for_ >= (is_unknown ? settings_.give_up_seconds : settings_.switch_seconds)) {
-        decision_ = best;
-        leads_for_ = 0.0;
-    }
+    const auto segments = [](std::size_t of) { return static_cast<double>(kGenreWindows[of]); };
+    moment_ = {.number = moment_.number + 1,
+               .heard_hops = counted_hops_,
+               .seconds = segments(window) * kSegmentSeconds,
+               .sureness = segments(window) / segments(window_),
+               .logs = judgement.log_chances};
+    decision_.advance(judge_song(word, state.grid), counted_hops_, state.grid);
 }
 
 // Writes the genre fields of every hop, with or without evidence in it.
 void GenreRecognizer::publish(MusicState& state) const noexcept {
     state.genre_log_probability.fill(kImprobable);
     for (std::size_t c = 0; c < model_->classes(); ++c) {
-        state.genre_log_probability[c] = std::max(kImprobable, log_chances_[c]);
+        state.genre_log_probability[c] = std::max(kImprobable, decision_.log_chances()[c]);
     }
-    state.genre_class = static_cast<std::uint8_t>(decision_);
-    state.genre = dances_[decision_];
-    // What is certain is told whatever is heard.
-    const float prior = settings_.prior[decision_];
-    state.is_genre_told = prior >= kCertainPrior || (prior > 0.0F && heard_ != decision_);
+    const std::size_t shown = decision_.shown();
+    state.genre_class = static_cast<std::uint8_t>(shown);
+    state.genre = dances_[shown];
+    state.is_genre_told = decision_.is_told();
 }
 
 }  // namespace raks::audio

@@ -9,6 +9,7 @@
 
 #include "audio/features/noise_floor.hpp"
 #include "audio/genre/bar_patterns.hpp"
+#include "audio/genre/dance_decision.hpp"
 #include "audio/genre/genre_model.hpp"
 #include "audio/genre/genre_scorer.hpp"
 #include "audio/genre/song_judgement.hpp"
@@ -28,10 +29,6 @@ namespace raks::audio {
 /// `log_emissions`: ln b_n(o) of each state. Real-time: yes.
 [[nodiscard]] double frame_density(std::span<const double> log_emissions) noexcept;
 
-/// A prior of so many nats, or more, is certain: neither what is heard nor another metre outvotes
-/// it. Far more than what is heard can ever say.
-inline constexpr float kCertainPrior = 1e4F;
-
 /// Settings of GenreRecognizer::create().
 struct GenreSettings {
     /// Which dances MusicState::genre can name; genres of the model that are not in it count as
@@ -39,12 +36,7 @@ struct GenreSettings {
     std::shared_ptr<const DanceList> dances = nullptr;
     double window_seconds = 3.0;  ///< 0.5 to 10, rounded to the model's nearest window
     GenreEvidence evidence = GenreEvidence::fused;  ///< all of the model, or a part of it
-    float margin = 0.2F;            ///< in probability, by which another genre must lead
-    double switch_seconds = 0.5;    ///< how long it must lead
-    double give_up_seconds = 3.0;   ///< how long "none of them" must lead
-    float least_confidence = 0.3F;  ///< of the beat grid: below, a known genre is kept
-    /// Least probability with which a dance is begun: a wrong one costs more than none.
-    float least_chance = 0.4F;
+    DecisionRules rules{};                          ///< when another genre is shown
     /// What is known of the music beforehand, by class of the model, in nats: it is added to the ln
     /// probabilities of what is heard, and decides alone until something is. All 0: nothing is
     /// known (audio/genre/tag_evidence.hpp makes one of a file's tags). From kCertainPrior on it
@@ -61,8 +53,7 @@ struct GenreSettings {
 /// length; until the window is full, the longest full one is used. What the windows say is averaged
 /// over the song, and so is what the music tagger says, where there is one (song_judgement.hpp). A
 /// single kind of evidence, asked for by itself, is judged by its last window alone, as in the
-/// paper. The decision changes only when another class leads by a margin for some time; silence and
-/// sound without a beat keep it.
+/// paper. The decision is of DanceDecision; silence keeps it.
 ///
 /// Threads: one. Real-time: all but create. Cost: about 13 us a hop with six genres, bounded: the
 /// models' emissions each hop, the walks over blocks spread over the hops between.
@@ -93,23 +84,41 @@ class GenreRecognizer {
     /// The scores of window length `kGenreWindows[window]` as they stand.
     [[nodiscard]] Judgement judge(std::size_t window) const noexcept RAKS_NONBLOCKING;
 
+    /// What the own parts said of the last seconds.
+    struct Moment {
+        std::int64_t number = 0;      ///< 1, 2, ... since reset(); 0: nothing is said yet
+        std::int64_t heard_hops = 0;  ///< with evidence, since reset()
+        double seconds = 0.0;         ///< that the window holds
+        double sureness = 0.0;        ///< its share of the wanted window
+        GenreScores::Values logs{};   ///< ln probabilities by class
+    };
+    /// The newest; every 100 ms of music brings another.
+    [[nodiscard]] const Moment& moment() const noexcept { return moment_; }
+    /// The tagger's newest patch as this model takes it; number 0: none yet.
+    [[nodiscard]] const SongJudgement::Patch& patch() const noexcept { return song_.patch(); }
+    /// ln probabilities by what is heard of the song so far, by those who are asked.
+    [[nodiscard]] GenreScores::Values heard(SongJudgement::Asked asked,
+                                            const BeatGrid& grid) const noexcept RAKS_NONBLOCKING;
+    /// A decision of its own by this model and these dances; `prior`: as in GenreSettings.
+    [[nodiscard]] DanceDecision decision(const GenreLogProbabilities& prior) const noexcept;
+    /// Beats a bar of each class' dance.
+    [[nodiscard]] const ClassBars& bars() const noexcept { return bars_; }
+    /// The model.
+    [[nodiscard]] const GenreModel& model() const noexcept { return *model_; }
+
  private:
     GenreRecognizer(std::shared_ptr<const GenreModel> model, const GenreSettings& settings);
 
     void score_frame(const MfccVector& mfcc) noexcept;
     void score_patterns() noexcept;
     void decide(const TaggerWord* word, const MusicState& state) noexcept;
-    void judge_song(const GenreScores::Values& logs,
-                    double sureness,
-                    const TaggerWord* word,
-                    const MusicState& state) noexcept;
+    [[nodiscard]] GenreScores::Values judge_song(const TaggerWord* word,
+                                                 const BeatGrid& grid) noexcept;
     void publish(MusicState& state) const noexcept;
-    void begin_with_prior() noexcept;
-    void add_prior(const BeatGrid& grid) noexcept;
 
     std::shared_ptr<const GenreModel> model_;
     std::array<DanceId, kMostGenres + 1> dances_{};  // by class
-    std::array<int, kMostGenres + 1> bars_{};        // beats a bar, by class; 0: any
+    ClassBars bars_{};                               // by class
     GenreSettings settings_;
     std::size_t window_ = 0;  // index into kGenreWindows
 
@@ -132,12 +141,9 @@ class GenreRecognizer {
     std::size_t next_pattern_ = kGenreWindows.size();      // window length whose turn it is
     std::int64_t counted_hops_ = 0;                        // hops with evidence since reset
     SongJudgement song_{1};
-    HopIndex quiet_hops_ = 0;            // since the last hop with evidence
-    GenreScores::Values log_chances_{};  // fused, as last decided on
-    std::size_t decision_ = 0;           // published class
-    std::size_t challenger_ = 0;         // class that leads
-    double leads_for_ = 0.0;             // seconds that it has led
-    std::size_t heard_ = 0;              // class that is heard, without the prior
+    HopIndex quiet_hops_ = 0;  // since the last hop with evidence
+    Moment moment_;            // as last judged
+    DanceDecision decision_{1, {}, {}};
 };
 
 }  // namespace raks::audio

@@ -10,11 +10,6 @@ namespace {
 
 // A single moment says no more than this: ln of a probability.
 constexpr float kLeast = -8.0F;
-// What a bar that the dance does not have takes off, in nats.
-constexpr float kOtherBar = 3.0F;
-// What the two have to say, fitted on clips of other sources (docs/measurements/genre.md).
-constexpr float kOwnWeight = 0.5F;
-constexpr float kTaggerWeight = 0.75F;
 // A moment speaks by so many nats for another class at most; another song is told by so many nats
 // times seconds: in two seconds where all speaks for it.
 constexpr float kMostOfMoment = 4.0F;
@@ -53,7 +48,9 @@ void SongJudgement::add(const Values& logs,
                         double seconds) noexcept RAKS_NONBLOCKING {
     const double weight = seconds * sureness;
     own_.add(logs, weight);
-    watch_for_another(logs, weight, seconds);
+    if (songs_ == Songs::any) {
+        watch_for_another(logs, weight, seconds);
+    }
 }
 
 void SongJudgement::watch_for_another(const Values& logs, double weight, double seconds) noexcept {
@@ -82,26 +79,30 @@ void SongJudgement::watch_for_another(const Values& logs, double weight, double 
 
 void SongJudgement::add(const TaggerWord& word,
                         const TaggerClasses& tagger) noexcept RAKS_NONBLOCKING {
-    if (word.patches == 0 || (word.patches == patches_ && word.until == until_)) {
+    if (word.patches == 0 || (word.patches == patches_ && word.until == patch_.until)) {
         return;
     }
     patches_ = word.patches;
-    until_ = word.until;
-    Values logs{};
-    tagger.log_chances(word.embedding, std::span(logs).first(classes_));
-    tags_.add(logs, 1.0);
+    patch_.until = word.until;
+    ++patch_.number;
+    tagger.log_chances(word.embedding, std::span(patch_.logs).first(classes_));
+    add(patch_);
 }
 
 SongJudgement::Values SongJudgement::log_chances(
     Asked asked, int beats_per_bar, std::span<const int> bars) const noexcept RAKS_NONBLOCKING {
     Values logs{};
-    if (!(own_.weight > 0.0)) {
+    if (!((asked == Asked::tagger ? tags_ : own_).weight > 0.0)) {
         logs.fill(2.0F * kLeast);
         logs[classes_ - 1] = 0.0F;
         return logs;
     }
-    own_.add_to(asked == Asked::both ? kOwnWeight : 1.0F, logs, classes_);
-    tags_.add_to(kTaggerWeight, logs, classes_);
+    if (asked != Asked::tagger) {
+        own_.add_to(asked == Asked::both ? kOwnWeight : 1.0F, logs, classes_);
+    }
+    if (asked != Asked::own_parts) {
+        tags_.add_to(asked == Asked::both ? kTaggerWeight : 1.0F, logs, classes_);
+    }
     for (std::size_t c = 0; c + 1 < classes_; ++c) {
         const bool is_of_three = bars[c] % 3 == 0;
         const bool has_three = beats_per_bar % 3 == 0;

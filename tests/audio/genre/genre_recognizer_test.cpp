@@ -92,6 +92,25 @@ TEST(GenreRecognizer, chances_sum_to_one_in_every_hop) {
     }
 }
 
+// Whoever asks for what is heard decides as the recognizer does.
+TEST(GenreRecognizer, a_decision_apart_by_what_is_heard_is_the_one_that_is_shown) {
+    Stage stage;
+    DanceDecision apart = stage.recognizer().decision({});
+    std::int64_t judged = 0;
+    for (int i = 0; i < 2'000; ++i) {
+        stage.play(0.01, i < 800 ? kSalsa : i < 1'400 ? kHouse : kNeither);
+        const MusicState& state = stage.states().back();
+        if (stage.recognizer().moment().number != judged) {
+            judged = stage.recognizer().moment().number;
+            apart.advance(stage.recognizer().heard(SongJudgement::Asked::own_parts, state.grid),
+                          stage.recognizer().moment().heard_hops,
+                          state.grid);
+        }
+        ASSERT_EQ(apart.shown(), state.genre_class) << i;
+    }
+    EXPECT_GT(judged, 150);
+}
+
 TEST(GenreRecognizer, a_word_of_another_genre_does_not_switch) {
     Stage stage;
     stage.play(12.0, kSalsa);

@@ -123,6 +123,30 @@ TEST(SongJudgement, the_tagger_counts_each_patch_once) {
     EXPECT_NE(song.log_chances(SongJudgement::Asked::both, 0, kBarsOfThree), before);
 }
 
+TEST(SongJudgement, each_can_be_asked_alone) {
+    using Asked = SongJudgement::Asked;
+    const TaggerClasses tagger = three_words();
+    SongJudgement song(kThreeClasses);
+    const auto best = [&](Asked asked) {
+        const auto logs = song.log_chances(asked, 0, kBarsOfThree);
+        return static_cast<std::size_t>(
+            std::max_element(logs.begin(), logs.begin() + kThreeClasses) - logs.begin());
+    };
+    hear(song, 0, 6.0);
+    EXPECT_EQ(best(Asked::tagger), kThreeClasses - 1) << "it has said nothing";
+    const auto without = song.log_chances(Asked::own_parts, 0, kBarsOfThree);
+    song.add(word_of(1, 1), tagger);
+    EXPECT_EQ(best(Asked::tagger), 1U);
+    EXPECT_EQ(song.log_chances(Asked::own_parts, 0, kBarsOfThree), without);
+}
+
+TEST(SongJudgement, of_one_song_all_counts) {
+    SongJudgement song(kThreeClasses, SongJudgement::Songs::one);
+    hear(song, 0, 120.0);
+    hear(song, 1, 20.0);
+    EXPECT_EQ(best_of(song), 0U);
+}
+
 TEST(SongJudgement, the_bar_forbids_dances_of_another_one) {
     SongJudgement song(kThreeClasses);
     hear(song, 0, 10.0);
