@@ -228,6 +228,7 @@ struct EvalGenreArguments {
     Path model;                ///< .json; empty: the one that comes with Raks
     std::string labels;        ///< only clips whose label is one of these letters; empty: all
     bool with_damage = false;  ///< also quieter, low-passed, with noise, in a room
+    Path plots;                ///< folder for a picture of each file; empty: none
     engine::TaggerUse tagger = engine::TaggerUse::on;  ///< whether the shown decision asks it
     bool as_json = false;                              ///< one JSON document instead of text
     int threads = 2;                                   ///< [1, 64]

@@ -224,6 +224,7 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
                      a->tagger,
                      engine::kTaggerUseNames,
                      "on, or off: the decision is judged without the music tagger");
+    app->add_option("--plot", a->plots, "folder for NAME.svg: what each part thinks over time");
     app->add_option("--threads", a->threads)->check(in_range(1, 64));
     app->add_flag("--json", a->as_json, "one JSON document");
 }

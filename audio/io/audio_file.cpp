@@ -21,7 +21,7 @@ Expected<MonoAudio> read_all_mono(const fs::path& path, double max_seconds) {
     const AudioFileInfo& info = (*reader)->info();
     const auto channels = static_cast<std::size_t>(info.channels);
     const auto limit = static_cast<std::size_t>(max_seconds * info.rate.hertz());
-    MonoAudio audio{.rate = info.rate, .samples = {}, .warning = {}};
+    MonoAudio audio{.rate = info.rate, .samples = {}, .warning = {}, .tags = info.tags};
     std::vector<float> chunk(kChunkFrames * channels);
     while (const std::size_t frames = (*reader)->read(chunk)) {
         const std::size_t before = audio.samples.size();

@@ -86,6 +86,7 @@ struct MonoAudio {
     SampleRate rate{48'000};     ///< of the file
     std::vector<float> samples;  ///< one a frame
     std::string warning;         ///< as AudioFileReader::warning()
+    AudioTags tags;              ///< as AudioFileInfo::tags
 };
 
 /// Reads and decodes a whole file. Errors: as open_audio_file; a file longer than `max_seconds` (it
