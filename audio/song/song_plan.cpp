@@ -106,53 +106,18 @@ void write_energy(std::vector<MusicState>& states) {
     }
 }
 
-// ln of the mean probability of each class over these hops, silence left out.
-GenreLogProbabilities mean_probabilities(std::span<const MusicState> states, std::size_t classes) {
-    std::array<double, std::tuple_size_v<GenreLogProbabilities>> sums{};
-    std::size_t count = 0;
-    for (const MusicState& state : states) {
-        if (!state.is_silent) {
-            ++count;
-            for (std::size_t i = 0; i < classes; ++i) {
-                sums[i] += std::exp(static_cast<double>(state.genre_log_probability[i]));
-            }
-        }
-    }
-    GenreLogProbabilities means = states.front().genre_log_probability;
-    for (std::size_t i = 0; i < classes && count > 0; ++i) {
-        means[i] = static_cast<float>(std::log(sums[i] / static_cast<double>(count) + 1e-9));
-    }
-    return means;
-}
-
-// Whether a section's class was mostly told and not heard. Silence, and what was heard as another
-// class, tell nothing.
-bool is_mostly_told(std::span<const MusicState> states, std::uint8_t genre_class) {
-    std::size_t told = 0;
-    std::size_t heard = 0;
-    for (const MusicState& state : states) {
-        if (!state.is_silent && state.genre_class == genre_class) {
-            ++(state.is_genre_told ? told : heard);
-        }
-    }
-    return told > heard;
-}
-
 // The dance of each section, under the class's number in the program's list.
 void write_dances(const std::vector<SongSection>& sections,
                   const std::vector<DanceId>& dances,
                   std::span<MusicState> states) {
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const std::size_t first = sections[i].first_hop;
+        const SongSection& section = sections[i];
         const std::size_t end = i + 1 < sections.size() ? sections[i + 1].first_hop : states.size();
-        const std::span<MusicState> section = states.subspan(first, end - first);
-        const GenreLogProbabilities means = mean_probabilities(section, dances.size());
-        const bool is_told = is_mostly_told(section, sections[i].genre_class);
-        for (MusicState& state : section) {
-            state.genre_log_probability = means;
-            state.genre_class = sections[i].genre_class;
-            state.genre = dances[sections[i].genre_class];
-            state.is_genre_told = is_told;
+        for (MusicState& state : states.subspan(section.first_hop, end - section.first_hop)) {
+            state.genre_log_probability = section.log_chances;
+            state.genre_class = section.genre_class;
+            state.genre = dances[section.genre_class];
+            state.is_genre_told = section.is_told;
         }
     }
 }
@@ -237,7 +202,12 @@ SongPlan SongAnalyzer::finish() {
     write_form(song, plan.beats, plan.states);
     if (const auto& model = state.config.genre_model) {
         const std::vector<DanceId> dances = dances_of(*model, state.config.dances.get());
-        plan.sections = find_sections(plan.states, dances.size(), state.config.genre_window);
+        plan.sections = find_sections({.states = plan.states,
+                                       .beats = plan.beats,
+                                       .moments = song.moments,
+                                       .patches = song.patches},
+                                      *state.analyzer.genres(),
+                                      state.config.genre_prior);
         write_dances(plan.sections, dances, plan.states);
     }
     return plan;

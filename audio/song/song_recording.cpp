@@ -27,6 +27,23 @@ void SongRecorder::on_state(const MusicState& state) noexcept {
     recording_.mel.insert(
         recording_.mel.end(), tracked.mel_magnitudes.begin(), tracked.mel_magnitudes.end());
     recording_.sounds.push_back(analyzer_.sound());
+    if (const GenreRecognizer* const genres = analyzer_.genres()) {
+        record_genre(static_cast<std::size_t>(state.hop), *genres);
+    }
+}
+
+// What is new since the hop before.
+void SongRecorder::record_genre(std::size_t hop, const GenreRecognizer& genres) {
+    const GenreRecognizer::Moment& said = genres.moment();
+    if (said.number > 0 &&
+        (recording_.moments.empty() || recording_.moments.back().said.number != said.number)) {
+        recording_.moments.push_back({hop, said});
+    }
+    const SongJudgement::Patch& patch = genres.patch();
+    if (patch.number > 0 &&
+        (recording_.patches.empty() || recording_.patches.back().number != patch.number)) {
+        recording_.patches.push_back(patch);
+    }
 }
 
 SongRecording SongRecorder::take(std::size_t hops) {

@@ -7,6 +7,7 @@
 
 #include "audio/features/onset.hpp"
 #include "audio/form/hop_sound.hpp"
+#include "audio/genre/genre_recognizer.hpp"
 #include "audio/music_analyzer.hpp"
 #include "audio/song/beat_path.hpp"
 #include "base/music_state.hpp"
@@ -22,6 +23,13 @@ struct SongRecording {
     std::vector<SongHop> hops;       ///< evidence of beats, each at its own hop
     std::vector<float> mel;          ///< mel magnitudes, hops x kMelBands
     std::vector<HopSound> sounds;    ///< what the form tracker heard
+    /// What the own parts said, each of the seconds before its hop; ascending.
+    struct Moment {
+        std::size_t hop = 0;
+        GenreRecognizer::Moment said;
+    };
+    std::vector<Moment> moments;
+    std::vector<SongJudgement::Patch> patches;  ///< what the tagger said; ascending
 
     /// Mel magnitudes of a hop.
     [[nodiscard]] std::span<const float, kMelBands> mel_of(std::size_t hop) const {
@@ -43,6 +51,8 @@ class SongRecorder final : public MusicAnalyzer::Sink {
     [[nodiscard]] std::size_t hops() const noexcept { return recording_.states.size(); }
 
  private:
+    void record_genre(std::size_t hop, const GenreRecognizer& genres);
+
     const MusicAnalyzer& analyzer_;
     SongRecording recording_;
 };

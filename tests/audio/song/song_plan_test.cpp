@@ -74,6 +74,62 @@ TEST(SongPlan, knows_every_beat_and_the_dance_from_the_first_hop_on) {
     EXPECT_NEAR(plan.states[20].grid.tempo.bpm(), 180.0, 2.0);
 }
 
+// Pieces one after the other, without a pause; where each begins in `begins`, in seconds, and the
+// end behind.
+struct Medley {
+    std::vector<float> mono;
+    std::vector<double> begins{0.0};
+};
+Medley medley(const std::vector<std::pair<Style, double>>& pieces) {
+    Medley made;
+    for (const auto& [style, bpm] : pieces) {
+        const std::vector<float> mono = test::music(style, {{0.0, bpm}}, 30.0, 32'000).mono();
+        made.mono.insert(made.mono.end(), mono.begin(), mono.end());
+        made.begins.push_back(static_cast<double>(made.mono.size()) / 32'000.0);
+    }
+    return made;
+}
+
+// The dance that is shown in a part of a medley for most of its 20 to 90 %.
+void expect_dance(const SongPlan& plan, const Medley& made, std::size_t part, DanceId dance) {
+    const double from = made.begins[part];
+    const double length = made.begins[part + 1] - from;
+    const auto first = static_cast<std::size_t>((from + 0.2 * length) * kHopsPerSecond);
+    const auto end = static_cast<std::size_t>((from + 0.9 * length) * kHopsPerSecond);
+    for (std::size_t hop = first; hop < end; ++hop) {
+        ASSERT_EQ(plan.states[hop].genre, dance)
+            << "part " << part << " at " << static_cast<double>(hop) / kHopsPerSecond << " s";
+    }
+}
+
+TEST(SongPlan, each_song_of_a_medley_has_its_own_dance) {
+    const Medley made = medley({{Style::montuno, 184.0}, {Style::four_on_the_floor, 124.0}});
+    const SongPlan plan = plan_of(made.mono, SampleRate(32'000));
+    ASSERT_EQ(plan.sections.size(), 2U);
+    EXPECT_NEAR(static_cast<double>(plan.sections[1].first_hop) / kHopsPerSecond, 30.0, 2.0);
+    expect_dance(plan, made, 0, shipped::salsa);
+    expect_dance(plan, made, 1, shipped::house);
+}
+
+TEST(SongPlan, a_waltz_between_songs_in_four_has_its_own_dance) {
+    const Medley made =
+        medley({{Style::backbeat, 130.0}, {Style::oom_pah_pah, 150.0}, {Style::backbeat, 130.0}});
+    const SongPlan plan = plan_of(made.mono, SampleRate(32'000));
+    expect_dance(plan, made, 0, shipped::rock);
+    expect_dance(plan, made, 1, shipped::waltz);
+    expect_dance(plan, made, 2, shipped::rock);
+}
+
+TEST(SongPlan, a_single_song_stays_one_dance) {
+    for (const auto& [style, bpm] : {std::pair(Style::montuno, 184.0),
+                                     std::pair(Style::four_on_the_floor, 124.0),
+                                     std::pair(Style::oom_pah_pah, 150.0)}) {
+        const SongPlan plan =
+            plan_of(test::music(style, {{0.0, bpm}}, 75.0, 32'000).mono(), SampleRate(32'000));
+        EXPECT_EQ(plan.sections.size(), 1U) << static_cast<int>(style);
+    }
+}
+
 TEST(SongPlan, begins_on_a_downbeat_of_the_first_bar_and_ends_with_the_music) {
     std::vector<float> mono(3 * 48'000);  // silence before it
     const std::vector<float> music = salsa().mono();
