@@ -68,7 +68,7 @@ Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
     // The whole program's analyzer, on the same samples; what the tags say is kept apart.
     GenreWatch watch(*analyzer,
                      {.truth = audio::class_of(file.genre, models.genres->genres),
-                      .prior = engine::told(models, music->tags).genre_prior,
+                      .prior = engine::told(models, music->tags, file.path).genre_prior,
                       .has_tagger = models.tagger != nullptr});
     analyzer->process(music->samples, watch);
     analyzed.shown = {file.name, file.genre, watch.shown()};

@@ -7,13 +7,13 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kClasses = 3;
+constexpr std::size_t kDecisionClasses = 3;
 constexpr std::size_t kNone = 2;
 constexpr ClassBars kBars = {4, 3, 0};
 
-DanceDecision::Values sounds_like(const std::array<float, kClasses>& chances) {
+DanceDecision::Values sounds_like(const std::array<float, kDecisionClasses>& chances) {
     DanceDecision::Values logs{};
-    for (std::size_t c = 0; c < kClasses; ++c) {
+    for (std::size_t c = 0; c < kDecisionClasses; ++c) {
         logs[c] = std::log(chances[c]);
     }
     return logs;
@@ -27,14 +27,14 @@ BeatGrid sure_grid(int beats_per_bar) {
 }
 
 TEST(DanceDecision, nothing_heard_is_none_or_what_was_told) {
-    EXPECT_EQ(DanceDecision(kClasses, kBars, {}).shown(), kNone);
-    const DanceDecision told(kClasses, kBars, {0.0F, 1.5F});
+    EXPECT_EQ(DanceDecision(kDecisionClasses, kBars, {}).shown(), kNone);
+    const DanceDecision told(kDecisionClasses, kBars, {0.0F, 1.5F});
     EXPECT_EQ(told.shown(), 1U);
     EXPECT_TRUE(told.is_told());
 }
 
 TEST(DanceDecision, another_class_must_lead_for_half_a_second) {
-    DanceDecision decision(kClasses, kBars, {});
+    DanceDecision decision(kDecisionClasses, kBars, {});
     const auto first = sounds_like({0.8F, 0.1F, 0.1F});
     for (int i = 0; i < 4; ++i) {
         decision.advance(first, 0, sure_grid(4));
@@ -47,7 +47,7 @@ TEST(DanceDecision, another_class_must_lead_for_half_a_second) {
 }
 
 TEST(DanceDecision, a_whole_song_is_settled_at_once) {
-    DanceDecision decision(kClasses, kBars, {});
+    DanceDecision decision(kDecisionClasses, kBars, {});
     decision.settle(sounds_like({0.8F, 0.1F, 0.1F}), 3'000, sure_grid(4));
     EXPECT_EQ(decision.shown(), 0U);
     decision.settle(sounds_like({0.35F, 0.33F, 0.32F}), 3'000, sure_grid(4));
@@ -55,7 +55,7 @@ TEST(DanceDecision, a_whole_song_is_settled_at_once) {
 }
 
 TEST(DanceDecision, bars_of_another_metre_take_the_prior_away) {
-    DanceDecision decision(kClasses, kBars, {0.0F, 1.5F});
+    DanceDecision decision(kDecisionClasses, kBars, {0.0F, 1.5F});
     const auto heard = sounds_like({0.5F, 0.3F, 0.2F});
     decision.settle(heard, 3'000, sure_grid(3));
     EXPECT_EQ(decision.shown(), 1U);

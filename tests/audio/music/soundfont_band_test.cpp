@@ -57,7 +57,7 @@ class SoundfontBand : public testing::Test {
     }
 
     const std::string program_ = std::getenv("RAKS_SOUNDFONT");
-    const test::TemporaryFolder folder_;
+    const raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(SoundfontBand, plays_the_same_samples_as_in_this_process) {

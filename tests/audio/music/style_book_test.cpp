@@ -23,7 +23,7 @@
 namespace raks::audio {
 namespace {
 
-using test::replaced;
+using raks::test::replaced;
 
 const std::string kRhythms = R"(format = "raks-styles"
 version = 1
@@ -383,12 +383,12 @@ TEST(StyleBook, survives_every_cut_and_flipped_bytes) {
     }
     constexpr std::uint64_t kFlips = 2000;
     for (std::uint64_t seed = 0; seed < kFlips; ++seed) {
-        check(test::mangled(good, {.seed = seed, .bytes = 1 + seed % 3}));
+        check(raks::test::mangled(good, {.seed = seed, .bytes = 1 + seed % 3}));
     }
 }
 
 TEST(StyleBook, a_folder_is_read_in_the_order_that_its_files_say) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const std::string none = replaced(kPalettes, "order = 3\n", "");
     ASSERT_TRUE(write_file(folder / "a.toml", none));
     ASSERT_TRUE(
@@ -402,7 +402,7 @@ TEST(StyleBook, a_folder_is_read_in_the_order_that_its_files_say) {
 }
 
 TEST(StyleBook, a_missing_or_empty_folder_is_one_line) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const auto empty = load_styles(folder.path());
     ASSERT_FALSE(empty);
     EXPECT_EQ(
