@@ -88,7 +88,13 @@ Expected<MusicFile> file_of(const Head& head,
     file.genre = *genre;
     // Files by one artist must not be divided between training and validation: a model would
     // recognise the artist's sound instead of the genre.
-    file.group = head.has("artist") ? head.cell(cells, "artist") : file.name;
+    // The same holds for a game or an album, where the table names groups.
+    file.group = file.name;
+    for (const char* const column : {"artist", "group"}) {
+        if (head.has(column)) {
+            file.group = head.cell(cells, column);
+        }
+    }
     file.label = head.cell(cells, "label");
     file.may_train = !head.has("train_ok") || head.cell(cells, "train_ok") == "yes";
     if (head.has("artist")) {

@@ -19,7 +19,7 @@ struct MusicFile {
     std::filesystem::path path;  ///< where it can be opened
     std::string name;            ///< path below the folder, as listed
     std::string genre;           ///< name of a dance; empty: none of them
-    std::string group;           ///< artist, or the file's own name; stays in one validation fold
+    std::string group;           ///< its artist or source, or its own name; stays in one fold
     std::string label;           ///< confidence of the genre's label ("A", "B", "C"), or empty
     bool may_train = true;       ///< the licence allows a shipped model to be trained on it
     std::string credit;          ///< "artist, title (licence)", or empty
@@ -38,8 +38,8 @@ struct MusicFile {
                                                           const DanceList& dances);
 
 /// Files named by a tab-separated table with a head line: columns clip (path below the folder) and
-/// genre; where they exist, artist (the group), title, licence, label and train_ok ("yes":
-/// may_train).
+/// genre; where they exist, artist, group (else the artist is the group), title, licence, label and
+/// train_ok ("yes": may_train).
 /// Errors: the table cannot be read; a column is missing; a row has another number of columns or an
 /// unknown genre (with the line); no rows.
 [[nodiscard]] Expected<std::vector<MusicFile>> list_music(const std::filesystem::path& folder,

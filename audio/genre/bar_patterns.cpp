@@ -284,6 +284,7 @@ void BarPatterns::Sums::add(const Sums& other) noexcept {
     }
     join(pulse_power, other.pulse_power);
     join(tempo, other.tempo);
+    rhythms.add(other.rhythms);
 }
 
 bool BarPatterns::add(std::span<const float, kMelBands> mel,
@@ -339,7 +340,10 @@ void BarPatterns::take_onsets(const BeatGrid& grid, StreamTime time) noexcept {
     }
     resonate(groups);
     // Beats since a downbeat; the same number serves bars of three and of four.
-    const double beats = (grid.beats_at(time) - grid.bar_origin).count();
+    const Beats now = grid.beats_at(time);
+    const double beats = (now - grid.bar_origin).count();
+    // Bars that are corrected must not break the longer cycles.
+    open_.rhythms.add(std::span(groups).first<NamedRhythms::kGroups>(), now.count());
     const std::size_t bar = slot_of(beats, 4.0, kBarSlots);
     const std::size_t waltz = slot_of(beats, 3.0, kWaltzSlots);
     const std::size_t beat = slot_of(beats, 1.0, kBeatSlots);
@@ -392,6 +396,9 @@ void BarPatterns::features(int count,
     put_sound(sums, writer);
     put_bar(sums, writer);
     put_pulse(sums, writer);
+    for (const float likeness : sums.rhythms.likeness()) {
+        writer.put(likeness);
+    }
     RAKS_ASSERT(writer.written() == kFeatures);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "audio/features/onset.hpp"
+#include "audio/genre/named_rhythms.hpp"
 #include "base/beat_grid.hpp"
 #include "base/realtime.hpp"
 
@@ -22,7 +23,8 @@ namespace raks::audio {
 ///
 /// Where the tracker's bar is wrong, the pattern is rotated by whole beats. Most features do not
 /// change by that: magnitudes of the pattern's Fourier series, the phases between bands, and the
-/// profile of one beat. The pattern in the tracker's own bar is part of the vector, too.
+/// profile of one beat. The pattern in the tracker's own bar is part of the vector, too, and how
+/// much the onsets are like rhythms that dances are known by (NamedRhythms).
 ///
 /// Threads: one. Real-time: yes (bounded, no allocation).
 class BarPatterns {
@@ -43,7 +45,7 @@ class BarPatterns {
         int size;          ///< number of features
     };
     /// The parts of a feature vector, in order.
-    static constexpr std::array<Part, 11> kParts = {{
+    static constexpr std::array<Part, 12> kParts = {{
         {"shape", 9},            // cosine series of the mean log spectrum, without its level
         {"spread", 6},           // the same of its deviation
         {"onsets", 7},           // share of each band, and all
@@ -55,6 +57,7 @@ class BarPatterns {
         {"swing", kBeatSlots},
         {"pulse", 4 * kResonators},
         {"tempo", 6},
+        {"rhythms", static_cast<int>(NamedRhythms::kRhythms)},  // likeness to each
     }};
     /// Length of a feature vector.
     static constexpr int kFeatures = [] {
@@ -100,6 +103,7 @@ class BarPatterns {
         std::array<std::array<float, kResonators>, 4> pulse{};
         std::array<float, 4> pulse_power{};  // onset strength of the same groups
         std::array<float, 6> tempo{};        // see put_pulse()
+        NamedRhythms rhythms;
 
         void add(const Sums& other) noexcept;
     };

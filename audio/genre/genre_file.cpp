@@ -25,7 +25,7 @@ constexpr std::size_t kMaxBytes = std::size_t{32} << 20U;  // of a file
 // Names of the features' definitions. Another definition gets another name, so that models of it
 // are refused.
 constexpr std::string_view kMfccKind = "htk-39";
-constexpr std::string_view kPatternsKind = "bar-patterns-1";
+constexpr std::string_view kPatternsKind = "bar-patterns-2";
 constexpr std::string_view kMelKind = "mel-36-rises";
 
 // Six significant digits: as exact as the models need, in a file that people can read.

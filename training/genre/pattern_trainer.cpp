@@ -274,7 +274,7 @@ class Descent {
 // Features over the bar and the beat, with the default hidden layer.
 PatternTrainingPlan rhythm_training() {
     PatternTrainingPlan plan;
-    plan.parts = {"beat", "series", "bar", "phases", "three", "swing", "pulse", "tempo"};
+    plan.parts = {"beat", "series", "bar", "phases", "three", "swing", "pulse", "tempo", "rhythms"};
     return plan;
 }
 

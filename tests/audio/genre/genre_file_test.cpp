@@ -46,8 +46,8 @@ TEST(GenreFile, faults_are_said_with_their_field) {
     EXPECT_EQ(error_of(replaced(good, "htk-39", "kaldi-13")),
               "features.mfcc is 'kaldi-13', this program hears 'htk-39': train the model again");
     EXPECT_EQ(
-        error_of(replaced(good, "bar-patterns-1", "bar-patterns-2")),
-        "features.patterns is 'bar-patterns-2', this program hears 'bar-patterns-1': train the "
+        error_of(replaced(good, "bar-patterns-2", "bar-patterns-3")),
+        "features.patterns is 'bar-patterns-3', this program hears 'bar-patterns-2': train the "
         "model again");
     EXPECT_EQ(
         error_of(replaced(good, "\"salsa\"", "\"pol ka\"")),

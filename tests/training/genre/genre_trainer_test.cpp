@@ -367,6 +367,13 @@ TEST(GenreTraining, folders_and_tables_name_what_is_wrong) {
     ASSERT_TRUE(listed);
     EXPECT_FALSE(listed->front().may_train);
     EXPECT_EQ(listed->front().genre, "waltz");
+    ASSERT_TRUE(write_file(table,
+                           "clip\tgenre\tartist\ttitle\tgroup\n"
+                           "a.wav\twaltz\tAnna\tOne\ta game\n"));
+    const auto grouped = list_music(folder, table, *raks::test::shipped_dances());
+    ASSERT_TRUE(grouped);
+    EXPECT_EQ(grouped->front().group, "a game");
+    EXPECT_EQ(grouped->front().credit, "Anna, One") << "who made it, not where it is from";
 }
 
 TEST(GenreTraining, the_same_file_under_two_genres_is_said) {
