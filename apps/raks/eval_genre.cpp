@@ -134,7 +134,7 @@ void add_rows(const audio::GenreModel& model,
                 continue;
             }
             evaluation.rows.push_back(std::move(row));
-            // What `play` and `render` take: the sum of all of a song's windows.
+            // What the own parts say of a song that is known ahead: the mean of all its windows.
             if (evidence == GenreEvidence::fused) {
                 const audio::PieceScores songs = audio::whole_pieces(scores, logs, window);
                 evaluation.rows.push_back({damage,

@@ -78,8 +78,8 @@ struct PieceScores {
     std::vector<GenreScores::Values> log_chances;  ///< mean over the piece's windows, by score
 };
 /// The pieces' mean fused ln probabilities over their windows of length kGenreWindows[`window`], as
-/// find_sections() (audio/song/song_dances.hpp) adds them up for a song of one section. Pieces
-/// without such a window are left out. To be tallied as windows of that length.
+/// find_sections() (audio/song/song_dances.hpp) takes them for a song of one section without a
+/// tagger. Pieces without such a window are left out. To be tallied as windows of that length.
 [[nodiscard]] PieceScores whole_pieces(std::span<const WindowScore> scores,
                                        std::span<const GenreScores::Values> log_chances,
                                        std::size_t window);

@@ -30,6 +30,7 @@ constexpr std::size_t kNearMetre = 300;
 constexpr std::size_t kNearBar = 200;
 // Hops by which what was said of a section may reach over its ends.
 constexpr std::size_t kOverEnd = 50;
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 using ClassSums = std::array<double, PatternNetwork::kMaxClasses>;
 
@@ -141,7 +142,7 @@ std::size_t nearest(const Places& places, std::size_t hop, std::size_t within) {
             best = place;
         }
     }
-    return least <= within ? best : std::numeric_limits<std::size_t>::max();
+    return least <= within ? best : kNowhere;
 }
 
 // The most likely path of classes, in which none lasts for less than kLeastSteps.
@@ -232,30 +233,64 @@ class SectionPath {
     std::vector<std::array<bool, PatternNetwork::kMaxClasses>> is_opened_;
 };
 
+// By how much the tempo after a beat is another than before it, in nats.
+double tempo_change(std::span<const SongBeat> beats, std::size_t at) {
+    constexpr std::size_t kAround = 4;  // beats
+    if (at < kAround || at + kAround >= beats.size()) {
+        return 0.0;
+    }
+    const double before = to_seconds(beats[at].time - beats[at - kAround].time);
+    const double after = to_seconds(beats[at + kAround].time - beats[at].time);
+    return before > 0.0 && after > 0.0 ? std::abs(std::log(after / before)) : 0.0;
+}
+
 // Places where a section can begin, by how clearly it does.
 struct Begins {
     std::vector<std::size_t> silences;
-    std::vector<std::size_t> metres;
+    std::vector<std::size_t> others;                    // another metre, or the beat begins anew
+    std::vector<std::pair<std::size_t, double>> tempi;  // where the tempo changes, and by how much
     std::vector<std::size_t> bars;
 };
 Begins begins_of(const SongHeard& heard) {
-    Begins begins{ends_of_silences(heard.states), {}, {}};
+    constexpr double kOtherTempo = 0.05;
+    Begins begins{ends_of_silences(heard.states), {}, {}, {}};
     for (std::size_t i = 1; i < heard.beats.size(); ++i) {
+        const std::size_t hop = hop_of(heard.beats[i].time);
         const BarPlace& place = heard.beats[i].place;
+        if (heard.beats[i].is_restart ||
+            place.beats_per_bar != heard.beats[i - 1].place.beats_per_bar) {
+            begins.others.push_back(hop);
+        }
+        if (const double change = tempo_change(heard.beats, i); change > kOtherTempo) {
+            begins.tempi.emplace_back(hop, change);
+        }
         if (place.position == 0) {
-            const bool is_other = place.beats_per_bar != heard.beats[i - 1].place.beats_per_bar;
-            (is_other ? begins.metres : begins.bars).push_back(hop_of(heard.beats[i].time));
+            begins.bars.push_back(hop);
         }
     }
     return begins;
 }
 
+// Where the tempo changes most, if it changes near a hop.
+std::size_t tempo_change_near(std::size_t hop, const Begins& begins) {
+    std::size_t best = kNowhere;
+    double most = 0.0;
+    for (const auto& [place, change] : begins.tempi) {
+        const std::size_t distance = place > hop ? place - hop : hop - place;
+        if (distance <= kNearMetre && change > most) {
+            best = place;
+            most = change;
+        }
+    }
+    return best;
+}
+
 std::size_t begin_near(std::size_t hop, const Begins& begins) {
-    for (const auto& [places, within] : {std::pair(&begins.silences, kNearMetre),
-                                         std::pair(&begins.metres, kNearMetre),
-                                         std::pair(&begins.bars, kNearBar)}) {
-        const std::size_t place = nearest(*places, hop, within);
-        if (place != std::numeric_limits<std::size_t>::max()) {
+    for (const std::size_t place : {nearest(begins.silences, hop, kNearMetre),
+                                    nearest(begins.others, hop, kNearMetre),
+                                    tempo_change_near(hop, begins),
+                                    nearest(begins.bars, hop, kNearBar)}) {
+        if (place != kNowhere) {
             return place;
         }
     }

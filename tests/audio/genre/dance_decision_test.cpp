@@ -7,13 +7,13 @@
 namespace raks::audio {
 namespace {
 
-constexpr std::size_t kDecisionClasses = 3;
-constexpr std::size_t kNone = 2;
-constexpr ClassBars kBars = {4, 3, 0};
+constexpr std::size_t kDecidedClasses = 3;
+constexpr std::size_t kNoDance = 2;
+constexpr ClassBars kDecidedBars = {4, 3, 0};
 
-DanceDecision::Values sounds_like(const std::array<float, kDecisionClasses>& chances) {
+DanceDecision::Values logs_of_chances(const std::array<float, kDecidedClasses>& chances) {
     DanceDecision::Values logs{};
-    for (std::size_t c = 0; c < kDecisionClasses; ++c) {
+    for (std::size_t c = 0; c < kDecidedClasses; ++c) {
         logs[c] = std::log(chances[c]);
     }
     return logs;
@@ -27,36 +27,36 @@ BeatGrid sure_grid(int beats_per_bar) {
 }
 
 TEST(DanceDecision, nothing_heard_is_none_or_what_was_told) {
-    EXPECT_EQ(DanceDecision(kDecisionClasses, kBars, {}).shown(), kNone);
-    const DanceDecision told(kDecisionClasses, kBars, {0.0F, 1.5F});
+    EXPECT_EQ(DanceDecision(kDecidedClasses, kDecidedBars, {}).shown(), kNoDance);
+    const DanceDecision told(kDecidedClasses, kDecidedBars, {0.0F, 1.5F});
     EXPECT_EQ(told.shown(), 1U);
     EXPECT_TRUE(told.is_told());
 }
 
 TEST(DanceDecision, another_class_must_lead_for_half_a_second) {
-    DanceDecision decision(kDecisionClasses, kBars, {});
-    const auto first = sounds_like({0.8F, 0.1F, 0.1F});
+    DanceDecision decision(kDecidedClasses, kDecidedBars, {});
+    const auto first = logs_of_chances({0.8F, 0.1F, 0.1F});
     for (int i = 0; i < 4; ++i) {
         decision.advance(first, 0, sure_grid(4));
     }
-    EXPECT_EQ(decision.shown(), kNone);
+    EXPECT_EQ(decision.shown(), kNoDance);
     decision.advance(first, 0, sure_grid(4));
     EXPECT_EQ(decision.shown(), 0U);
-    decision.advance(sounds_like({0.1F, 0.8F, 0.1F}), 0, sure_grid(4));
+    decision.advance(logs_of_chances({0.1F, 0.8F, 0.1F}), 0, sure_grid(4));
     EXPECT_EQ(decision.shown(), 0U);
 }
 
 TEST(DanceDecision, a_whole_song_is_settled_at_once) {
-    DanceDecision decision(kDecisionClasses, kBars, {});
-    decision.settle(sounds_like({0.8F, 0.1F, 0.1F}), 3'000, sure_grid(4));
+    DanceDecision decision(kDecidedClasses, kDecidedBars, {});
+    decision.settle(logs_of_chances({0.8F, 0.1F, 0.1F}), 3'000, sure_grid(4));
     EXPECT_EQ(decision.shown(), 0U);
-    decision.settle(sounds_like({0.35F, 0.33F, 0.32F}), 3'000, sure_grid(4));
-    EXPECT_EQ(decision.shown(), kNone) << "not likely enough";
+    decision.settle(logs_of_chances({0.35F, 0.33F, 0.32F}), 3'000, sure_grid(4));
+    EXPECT_EQ(decision.shown(), kNoDance) << "not likely enough";
 }
 
 TEST(DanceDecision, bars_of_another_metre_take_the_prior_away) {
-    DanceDecision decision(kDecisionClasses, kBars, {0.0F, 1.5F});
-    const auto heard = sounds_like({0.5F, 0.3F, 0.2F});
+    DanceDecision decision(kDecidedClasses, kDecidedBars, {0.0F, 1.5F});
+    const auto heard = logs_of_chances({0.5F, 0.3F, 0.2F});
     decision.settle(heard, 3'000, sure_grid(3));
     EXPECT_EQ(decision.shown(), 1U);
     EXPECT_TRUE(decision.is_told());

@@ -113,11 +113,12 @@ TEST(SongPlan, each_song_of_a_medley_has_its_own_dance) {
 
 TEST(SongPlan, a_waltz_between_songs_in_four_has_its_own_dance) {
     const Medley made =
-        medley({{Style::backbeat, 130.0}, {Style::oom_pah_pah, 150.0}, {Style::backbeat, 130.0}});
+        medley({{Style::montuno, 184.0}, {Style::oom_pah_pah, 150.0}, {Style::montuno, 184.0}});
     const SongPlan plan = plan_of(made.mono, SampleRate(32'000));
-    expect_dance(plan, made, 0, shipped::rock);
+    ASSERT_EQ(plan.sections.size(), 3U);
+    expect_dance(plan, made, 0, shipped::salsa);
     expect_dance(plan, made, 1, shipped::waltz);
-    expect_dance(plan, made, 2, shipped::rock);
+    expect_dance(plan, made, 2, shipped::salsa);
 }
 
 TEST(SongPlan, a_single_song_stays_one_dance) {
