@@ -56,7 +56,7 @@ TEST(GenreFile, faults_are_said_with_their_field) {
     EXPECT_EQ(error_of(replaced(good, "\"salsa\"", "\"house\"")),
               "genres[1] is house, which is there before");
     EXPECT_EQ(error_of(replaced(good, "\"units\": 4", "\"units\": 5")),
-              "rhythm.hidden_weights has 924 numbers, must have 1155");
+              "rhythm.hidden_weights has 964 numbers, must have 1205");
     EXPECT_EQ(error_of(replaced(good, "\"seconds\": 0.5", "\"seconds\": 0.6")),
               "fusion[0].seconds must be 0.5");
 }
