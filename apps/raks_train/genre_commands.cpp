@@ -20,9 +20,10 @@ namespace {
 
 void add_options(CLI::App& app, RecordingOptions& recordings) {
     app.add_option("folder", recordings.folder, "folder of music, with one folder for each genre");
-    app.add_option("--groups",
-                   recordings.index,
-                   "table of the folder's clips: clip, genre; artist, group, label, train_ok if known");
+    app.add_option(
+        "--groups",
+        recordings.index,
+        "table of the folder's clips: clip, genre; artist, group, label, train_ok if known");
     app.add_option("--leave-out", recordings.left_out_genres, "genres not to learn");
     app.add_flag("--free-only",
                  recordings.trains_on_free_alone,

@@ -75,7 +75,7 @@ struct OverlayState {
     /// counts that the figure has, 1 to 16
     int figure_counts = 8;
     // Sound.
-    std::string_view source{};         ///< file name or device
+    std::string_view source{};  ///< file name or device
     /// What a tagger calls the music, the strongest word first; empty ones are not shown.
     std::array<std::string_view, 3> tags{};
     float level_dbfs = -120.0F;        ///< rms, >= -120
