@@ -238,7 +238,12 @@ void MusicAnalyzer::State::hear_tags(MusicState& state) noexcept {
     });
     tags->hear(tagged);
     tagger_word = &tags->word();
-    state.tags = strongest_tags(*tagger_word);
+    if (tagger_word->patches > 0) {
+        const auto strongest = strongest_tags(*tagger_word);
+        std::transform(strongest.begin(), strongest.end(), state.tags.begin(), [](std::size_t tag) {
+            return kTagNames[tag];
+        });
+    }
 }
 
 // The vector is some hops old, so the level of that time decides whether it is silence.

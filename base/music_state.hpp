@@ -104,13 +104,6 @@ static_assert(kMusicBandNames.size() == static_cast<std::size_t>(MusicAccent::Ba
     return kMusicBandNames[static_cast<std::size_t>(band)];
 }
 
-/// The tagger's strongest words.
-struct HeardTags {
-    bool are_known = false;                   ///< false: there is no tagger, or it has said nothing
-    std::array<std::uint8_t, 3> strongest{};  ///< by number in its list, the strongest first
-    friend bool operator==(const HeardTags&, const HeardTags&) = default;
-};
-
 /// What is known beyond a hop where the whole song was analysed before it sounds.
 struct Foresight {
     bool is_known = false;  ///< false: the rest means nothing, only the past is known
@@ -147,7 +140,9 @@ struct MusicState {
     DanceId genre = DanceId::none;
     /// What the file says of itself decided on genre_class; heard alone it would be another.
     bool is_genre_told = false;
-    HeardTags tags;  ///< what a tagger says of the music so far
+    /// A tagger's three strongest words for the music so far, of a list that lives as long as the
+    /// program; empty where there is no tagger or it has said nothing.
+    std::array<std::string_view, 3> tags{};
 
     float loudness_lufs = -120.0F;  ///< momentary (400 ms, EBU R 128), >= -120
     float level_dbfs = -120.0F;     ///< rms of this hop, >= -120

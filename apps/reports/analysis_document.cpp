@@ -83,10 +83,10 @@ void AnalysisDocument::add(const MusicState& state) {
 }
 
 void AnalysisDocument::add_tags(const audio::TaggerWord& word) {
-    const HeardTags heard = audio::strongest_tags(word);
+    const auto strongest = audio::strongest_tags(word);
     TagPoint point{.time = rounded(word.until), .tags = {}, .probabilities = {}};
     for (std::size_t i = 0; i < kStrongest; ++i) {
-        point.tags[i] = heard.strongest[i];
+        point.tags[i] = strongest[i];
         point.probabilities[i] = 1.0F / (1.0F + std::exp(-word.mean_logits[point.tags[i]]));
     }
     tags_.push_back(point);

@@ -62,8 +62,7 @@ class AnalysisDocument {
         std::array<MusicValue, MusicRow::kMostFields> values;
     };
 
-    static constexpr std::size_t kStrongest =
-        HeardTags{}.strongest.size();  ///< tags that a point names
+    static constexpr std::size_t kStrongest = 3;  ///< tags that a point names
     struct TagPoint {
         double time;
         std::array<std::size_t, kStrongest> tags;  ///< index in audio::kTagNames

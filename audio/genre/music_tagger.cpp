@@ -64,11 +64,10 @@ FilterBank slaney_filters(std::size_t frame) {
 
 }  // namespace
 
-HeardTags strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING {
-    HeardTags tags;
-    tags.are_known = word.patches > 0;
+std::array<std::size_t, 3> strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING {
+    std::array<std::size_t, 3> tags{};
     std::array<bool, kTags> is_taken{};
-    for (std::uint8_t& strongest : tags.strongest) {
+    for (std::size_t& strongest : tags) {
         std::size_t best = kTags;
         for (std::size_t tag = 0; tag < kTags; ++tag) {
             const bool is_stronger =
@@ -76,7 +75,7 @@ HeardTags strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING {
             best = !is_taken[tag] && is_stronger ? tag : best;
         }
         is_taken[best] = true;
-        strongest = static_cast<std::uint8_t>(best);
+        strongest = best;
     }
     return tags;
 }

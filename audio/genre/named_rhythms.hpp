@@ -11,7 +11,7 @@ namespace raks::audio {
 
 /// Sums of onsets over cycles of some beats, as the tracker hears them, of which the likeness to
 /// each rhythm is told: maqsum, saidi, malfuf, karsilama, the clave of son, tumbao,
-/// four-on-the-floor, boom-bap, backbeat and the bass of a waltz.
+/// four-on-the-floor, boom-bap, backbeat and oom-pah-pah.
 ///
 /// A rhythm is looked for as written and at half the speed, for trackers double the tempo, and
 /// begun at each beat, for they miss the first of a bar. Its likeness is the highest correlation
@@ -32,7 +32,7 @@ class NamedRhythms {
                                                                  "four-on-the-floor",
                                                                  "boom-bap",
                                                                  "backbeat",
-                                                                 "waltz bass"};
+                                                                 "oom-pah-pah"};
 
     /// Counts a hop's onset strengths. `beats`: position of the hop, from any beat.
     void add(std::span<const float, kGroups> onsets, double beats) noexcept RAKS_NONBLOCKING;

@@ -20,8 +20,10 @@ struct TaggerWord {
     std::array<float, kTags> mean_logits{};       ///< of all of them
 };
 
-/// The strongest words by their mean; of two alike the first. Real-time: yes.
-[[nodiscard]] HeardTags strongest_tags(const TaggerWord& word) noexcept RAKS_NONBLOCKING;
+/// Numbers of the strongest words by their mean, the strongest first, of two alike the first; in
+/// kTagNames. Real-time: yes.
+[[nodiscard]] std::array<std::size_t, 3> strongest_tags(const TaggerWord& word) noexcept
+    RAKS_NONBLOCKING;
 
 /// One hop of sound for the tagger.
 struct TaggerHop {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "audio/genre/tagger_network.hpp"
 #include "render/scene/scene.hpp"
 
 namespace raks::engine {
@@ -116,12 +115,7 @@ void describe_moment(const ShownMoment& shown,
     state.is_silent = shown.music.is_silent;
     state.genre = dances.title_of(shown.music.genre);
     state.is_genre_told = shown.music.is_genre_told;
-    if (shown.music.tags.are_known) {
-        std::transform(shown.music.tags.strongest.begin(),
-                       shown.music.tags.strongest.end(),
-                       state.tags.begin(),
-                       [](std::size_t tag) { return audio::kTagNames[tag]; });
-    }
+    state.tags = shown.music.tags;
     // Posteriors are stored as natural logarithms.
     state.genre_posterior = std::exp(shown.music.genre_log_probability[shown.music.genre_class]);
     const auto& figure = shown.dancer.figure;

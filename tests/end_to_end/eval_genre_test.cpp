@@ -26,7 +26,7 @@ class EvalGenre : public ProgramTest {
             "music/house/a.wav",
             {.style = audio::Style::four_on_the_floor, .tempo = {{0.0, 124.0}}, .seconds = 12.0});
         write_music("music/other/b.wav",
-                    {.style = audio::Style::clicks, .tempo = {{0.0, 90.0}}, .seconds = 12.0});
+                    {.style = audio::Style::drums, .tempo = {{0.0, 90.0}}, .seconds = 12.0});
         const std::string command = "ffmpeg -nostdin -loglevel error -i '" +
                                     path("music/house/a.wav") + "' -metadata genre=House '" +
                                     path("music/house/tagged.flac") + "'";
