@@ -18,7 +18,7 @@ constexpr double kStepSeconds = static_cast<double>(kStep) / kHopsPerSecond;
 constexpr double kIndependent = 3.0;
 constexpr double kPatchSeconds = 2.99;
 // ln of the odds against another class at any step, and after a silence that may end a song.
-constexpr double kChangeCost = 12.0;
+constexpr double kChangeCost = 8.0;
 constexpr double kChangeAtSilence = 3.0;
 // A probability of the model is not believed to be smaller: it was learnt on other music.
 constexpr float kLeastLog = -4.0F;

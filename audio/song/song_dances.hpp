@@ -30,7 +30,7 @@ struct SongHeard {
 
 /// The sections of a song by the evidence of all of it. Where the dance changes is found by the
 /// most likely path in which each section lasts 15 s at least, and another class costs as much as
-/// some 15 s of clear evidence; less after a silence in which a song can end. A section begins with
+/// some 10 s of clear evidence; less after a silence in which a song can end. A section begins with
 /// the sound after a silence, else where metre or tempo change, else on a bar line. Each is then
 /// judged by itself, as a stream judges a song that it has heard to its end, and from its first hop
 /// on. `genres`: who said it; `prior`: what the tags say, GenreSettings::prior. One section at
