@@ -1,7 +1,10 @@
 #include "engine/setup/dance_corrections.hpp"
 
 #include <algorithm>
+#include <string>
 #include <system_error>
+#include <unordered_set>
+#include <utility>
 
 #include "audio/evaluate/table_cells.hpp"
 #include "base/file.hpp"
@@ -55,6 +58,23 @@ Expected<DanceCorrection> row_of_line(std::string_view line) {
     }
     return DanceCorrection{
         std::string(cells[0]), std::string(cells[1]), fs::path(cells[2]), fs::path(cells[3])};
+}
+
+// Of several rows of a song the last one counts. One pass: a file may have 100,000 rows.
+void keep_last_of_each_song(std::vector<DanceCorrection>& rows) {
+    std::unordered_set<std::string> songs;
+    const auto is_older = [&](const DanceCorrection& row) {
+        return !songs.insert(row.song.string()).second;
+    };
+    std::reverse(rows.begin(), rows.end());
+    auto kept = rows.begin();
+    for (DanceCorrection& row : rows) {
+        if (!is_older(row)) {
+            std::swap(*kept++, row);
+        }
+    }
+    rows.erase(kept, rows.end());
+    std::reverse(rows.begin(), rows.end());
 }
 
 }  // namespace
@@ -120,11 +140,13 @@ Expected<DanceCorrections> DanceCorrections::parse(std::string_view text, const 
             continue;
         }
         auto row = row_of_line(line);
-        const auto taken = row ? corrections.set(std::move(*row)) : fail(row.error());
-        if (!taken) {
-            return fail(fmt::format("{}: line {}: {}", name, number, taken.error().message));
+        const auto checked = row ? check(*row) : fail(row.error());
+        if (!checked) {
+            return fail(fmt::format("{}: line {}: {}", name, number, checked.error().message));
         }
+        corrections.rows_.push_back(std::move(*row));
     }
+    keep_last_of_each_song(corrections.rows_);
     return corrections;
 }
 

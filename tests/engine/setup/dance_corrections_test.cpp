@@ -49,6 +49,22 @@ TEST(DanceCorrections, of_the_same_song_the_later_replaces_the_earlier) {
     EXPECT_EQ(corrections.all().back().dance, "belly") << "the newest";
 }
 
+TEST(DanceCorrectionsFile, of_very_many_rows_is_read_and_the_last_of_each_song_counts) {
+    constexpr int kSongs = 40'000;
+    std::string text = kColumns;
+    for (const char* const dance : {"rock", "salsa"}) {
+        for (int song = 0; song < kSongs; ++song) {
+            text += std::string(dance) + "\tCelia\t/son\t/son/" + std::to_string(song) + "\n";
+        }
+    }
+    const auto read = DanceCorrections::parse(text, "dances.tsv");
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->all().size(), static_cast<std::size_t>(kSongs));
+    EXPECT_EQ(read->all().front().song, "/son/0") << "in their order";
+    EXPECT_EQ(read->of_song("/son/0"), "salsa");
+    EXPECT_EQ(read->of_song("/son/39999"), "salsa");
+}
+
 TEST(DanceCorrections, of_an_album_are_those_of_one_artist_in_one_folder) {
     DanceCorrections corrections = two_songs();
     ASSERT_TRUE(corrections.set({"salsa", "Celia", "/music/son", "/music/son/2.mp3"}));
