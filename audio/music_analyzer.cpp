@@ -363,6 +363,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     state_->beat_method = config.beat_method;
     state_->beat_detector.reset();
     state_->tracker.expect_dances(config.dances);
+    state_->tracker.expect_told(config.told_bpm);
     state_->tracker.set_bar_network(config.beat_network ? config.beat_network->bars() : nullptr);
     if (config.beat_network) {
         state_->beat_detector.emplace(config.beat_network);

@@ -46,6 +46,8 @@ struct AnalyzerConfig {
     double genre_window = 3.0;  ///< seconds of music that the genre is scored on, 0.5 to 10
     /// What is known of the genre beforehand: GenreSettings::prior. All 0: nothing.
     GenreLogProbabilities genre_prior{};
+    /// Tempo that is told of the music beforehand: BeatPointerConfig::told_bpm. 0: none.
+    double told_bpm = 0.0;
 };
 
 /// Beat, tempo, genre, loudness, energy and form of a stream of mono samples, causal and in real

@@ -52,6 +52,10 @@ class BeatTracker {
     /// Real-time: no.
     void expect_dances(std::shared_ptr<const DanceList> dances) { dances_ = std::move(dances); }
 
+    /// Sets the tempo that the file itself tells (BeatPointerConfig::told_bpm), from the next
+    /// reset() on; 0: none. Real-time: no.
+    void expect_told(double bpm) { pointer_ = BeatPointer({.told_bpm = bpm}); }
+
     /// One hop; sets grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
 

@@ -1,6 +1,7 @@
 #include "audio/beat/pointer_states.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -18,7 +19,25 @@ constexpr double kOnQuarter = 0.12;       // and at the quarters
 constexpr float kMeanEvidence = 0.04F;
 constexpr float kLeastEvidence = 1e-3F;
 
-constexpr double kLeastTransition = 1e-10;  // smaller ones are 0: see the constructor
+constexpr double kLeastTransition = 1e-10;  // smaller ones are 0: see add_transitions()
+
+// Of a tempo that is easily taken for the told one: what it loses where a tempo is sought, and at
+// each of its beats, as factors.
+constexpr float kMistakenAtFirst = 0.05F;
+constexpr float kMistakenAtBeat = 0.6F;
+
+// Whether one tempo is easily taken for the other: an octave, two or a third of three, 3:2 or 4:3.
+bool is_mistaken(double bpm, double told_bpm) {
+    constexpr double kReach = 0.05;  // in the logarithm: tags are rounded, and players drift
+    constexpr std::array kRatios = {2.0, 3.0, 1.5, 4.0 / 3.0};
+    if (told_bpm <= 0.0) {
+        return false;
+    }
+    const double away = std::abs(std::log(bpm / told_bpm));
+    return std::any_of(kRatios.begin(), kRatios.end(), [away](double ratio) {
+        return std::abs(away - std::log(ratio)) < kReach;
+    });
+}
 
 // 1 at an event, falling off over the hops around it: as wide as the network's evidence of one.
 float bump(double hops_away) {
@@ -107,7 +126,9 @@ PointerStates::PointerStates(const BeatPointerConfig& config) : config_(config) 
 void PointerStates::add_tempo(int hops) {
     tempi_.push_back({static_cast<int>(prior_.size()), hops});
     const double octaves = std::log2(hops_of(1.0) / hops / config_.centre_bpm) / config_.octaves;
-    const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops);
+    const bool is_wrong = is_mistaken(hops_of(1.0) / hops, config_.told_bpm);
+    const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops) *
+                        (is_wrong ? kMistakenAtFirst : 1.0F);
     prior_.insert(prior_.end(), static_cast<std::size_t>(hops), prior);
     for (const float value : beat_template(hops)) {
         template_.push_back(value);
@@ -129,8 +150,10 @@ void PointerStates::add_transitions(const Tempo& from) {
         row.push_back(weight > kLeastTransition ? weight : 0.0);
     }
     const double sum = std::accumulate(row.begin(), row.end(), 0.0);
+    const bool is_wrong = is_mistaken(hops_of(1.0) / from.hops, config_.told_bpm);
     for (const double value : row) {
-        transition_.push_back(static_cast<float>(value / sum));
+        transition_.push_back(static_cast<float>(value / sum) *
+                              (is_wrong ? kMistakenAtBeat : 1.0F));
     }
 }
 

@@ -25,6 +25,10 @@ struct BeatPointerConfig {
     double leak = 1e-6;
     double centre_bpm = 120.0;  ///< middle of the log-normal tempo prior
     double octaves = 0.7;       ///< standard deviation of the tempo prior
+    /// Tempo that the file itself tells; 0: none. Tempi that are easily taken for it (an octave,
+    /// 3:2 or 4:3 away) become less likely; of all others, and of the tempo itself, nothing
+    /// changes.
+    double told_bpm = 0.0;
 };
 
 /// Hops in a beat of this tempo; its own inverse: tempo of a beat of that many hops.

@@ -127,8 +127,9 @@ std::vector<float> confidences(const std::vector<float>& certain) {
 }  // namespace
 
 std::vector<SongBeat> track_song(const SongRecording& song,
-                                 std::shared_ptr<const BarNetwork> bars) {
-    static const PointerStates states{BeatPointerConfig()};
+                                 std::shared_ptr<const BarNetwork> bars,
+                                 double told_bpm) {
+    const PointerStates states({.told_bpm = told_bpm});
     std::vector<PathBeat> path = find_beats(song.hops, states);
     smooth_beats(path);
     BeatSounds sounds(song, std::move(bars));

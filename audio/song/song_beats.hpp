@@ -21,9 +21,10 @@ struct SongBeat {
 
 /// All beats of a song: the best path of the pointer, then the best path of the bars. Beats go on
 /// through parts without any; there the confidence is 0. `bars`: the network for bars, or null.
-/// Threads: any. Real-time: no.
+/// `told_bpm`: BeatPointerConfig::told_bpm. Threads: any. Real-time: no.
 [[nodiscard]] std::vector<SongBeat> track_song(const SongRecording& song,
-                                               std::shared_ptr<const BarNetwork> bars);
+                                               std::shared_ptr<const BarNetwork> bars,
+                                               double told_bpm);
 
 /// The grid at a moment: a line through the beats around it; before the first and after the last it
 /// goes on at their tempo. Beats are numbered from 0. Needs two beats.

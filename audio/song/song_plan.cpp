@@ -193,7 +193,7 @@ SongPlan SongAnalyzer::finish() {
         return plan;
     }
     const auto& network = state.config.beat_network;
-    plan.beats = track_song(song, network ? network->bars() : nullptr);
+    plan.beats = track_song(song, network ? network->bars() : nullptr, state.config.told_bpm);
     plan.states = std::move(song.states);
     write_beats(plan.beats, plan.states);
     write_foresight(plan.beats, plan.states);

@@ -94,6 +94,7 @@ audio::AnalyzerConfig config_of(SampleRate rate,
     config.dances = models.dances;
     config.tags = std::move(tags);
     config.genre_prior = models.genre_prior;
+    config.told_bpm = models.told_bpm;
     return config;
 }
 

@@ -43,6 +43,7 @@ struct AnalyzerModels {
     std::shared_ptr<KeptCorrections> corrections = nullptr;
     /// Of one file, what the person or its tags say: AnalyzerConfig::genre_prior.
     GenreLogProbabilities genre_prior{};
+    double told_bpm = 0.0;  ///< of one file, as its tags say: AnalyzerConfig::told_bpm
     std::shared_ptr<const audio::TaggerNetwork> tagger = {};  ///< null: nothing is tagged
     /// For the person, to be said once: why there is no tagger although one was asked for. Empty:
     /// nothing.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "audio/beat/analyzer_command.hpp"
 #include "audio/genre/genre_recognizer.hpp"
 #include "base/file.hpp"
 #include "engine/setup/dance_corrections.hpp"
@@ -65,6 +66,11 @@ audio::TagEvidence said_by_person(const DanceCorrections& corrections,
     return evidence;
 }
 
+// A tempo that the tracker can find; of any other an octave would be a mistake that is none.
+double told_tempo(double bpm) {
+    return bpm >= audio::kSlowestTempo.bpm() && bpm <= audio::kFastestTempo.bpm() ? bpm : 0.0;
+}
+
 }  // namespace
 
 audio::TagEvidence told_by(const AnalyzerModels& models,
@@ -87,6 +93,7 @@ AnalyzerModels told(AnalyzerModels models,
     if (models.genres) {
         models.genre_prior = audio::prior_of(told_by(models, tags, file), *models.genres);
     }
+    models.told_bpm = models.words && tags.bpm ? told_tempo(*tags.bpm) : 0.0;
     return models;
 }
 

@@ -32,7 +32,8 @@ inline constexpr float kAlbumStrength = 2.0F;
                                          const audio::AudioTags& tags,
                                          const std::filesystem::path& file);
 
-/// The same models for the analyzer of one file: they know what is said of it. Threads: any.
+/// The same models for the analyzer of one file: they know what is said of it, and the tempo in its
+/// tags where the tracker can find such a tempo at all. Threads: any.
 [[nodiscard]] AnalyzerModels told(AnalyzerModels models,
                                   const audio::AudioTags& tags,
                                   const std::filesystem::path& file);

@@ -130,6 +130,47 @@ TEST_F(TaggedMusic, a_wrong_tag_is_outvoted_within_20_seconds) {
     }
 }
 
+TEST_F(TaggedMusic, a_tempo_tag_is_read_from_every_format_and_bad_ones_say_nothing) {
+    const fs::path wav = music(audio::Style::drums, 190.0, 2.0);
+    const auto told_bpm = [&](const fs::path& file, const AnalyzerModels& models) {
+        const auto source = MusicSource::open(file);
+        EXPECT_TRUE(source) << source.error().message;
+        return told(models, source->tags(), file).told_bpm;
+    };
+    for (const auto& [name, options] : {std::pair{"a.mp3", "-metadata TBPM=95"},
+                                        {"a.flac", "-metadata BPM=95"},
+                                        {"a.ogg", "-c:a libvorbis -metadata BPM=95"},
+                                        {"a.opus", "-c:a libopus -metadata BPM=95"}}) {
+        const fs::path file = tagged(wav, name, options);
+        EXPECT_EQ(told_bpm(file, installed::models()), 95.0) << name;
+        AnalyzerModels ignoring = installed::models();
+        ignoring.words = nullptr;
+        EXPECT_EQ(told_bpm(file, ignoring), 0.0) << name;
+    }
+    // No number, and tempi that the tracker could not find.
+    for (const char* const bad : {"''", "fast", "0", "-95", "nan", "1e9", "40", "300", "95,95"}) {
+        const fs::path file = tagged(wav, "b.flac", std::string("-metadata BPM=") + bad);
+        EXPECT_EQ(told_bpm(file, installed::models()), 0.0) << bad;
+    }
+}
+
+TEST_F(TaggedMusic, a_tempo_tag_decides_the_octave_of_what_is_both) {
+    // So slow that its halves are heard as the beat.
+    const fs::path wav = music(audio::Style::maqsum, 60.0, 16.0);
+    const auto at_end = [&](const char* bpm) {
+        const fs::path file = tagged(wav, "a.flac", std::string("-metadata BPM=") + bpm);
+        const double live = as_live(file, installed::models()).back().grid.tempo.bpm();
+        const double ahead = known_ahead(file, installed::models()).back().grid.tempo.bpm();
+        EXPECT_NEAR(live / ahead, 1.0, 0.03) << bpm;
+        return live;
+    };
+    EXPECT_NEAR(at_end("''"), 120.0, 3.0);
+    EXPECT_NEAR(at_end("60"), 60.0, 1.5);
+    EXPECT_NEAR(at_end("120"), 120.0, 3.0);
+    // What is no octave of it changes nothing.
+    EXPECT_NEAR(at_end("97"), 120.0, 3.0);
+}
+
 TEST_F(TaggedMusic, tags_that_say_nothing_change_no_bit) {
     const fs::path wav = music(audio::Style::four_on_the_floor, 124.0, 6.0);
     const auto plain = as_live(wav, installed::models());
