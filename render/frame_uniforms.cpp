@@ -75,11 +75,13 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     u.floor_sky_tint = colour(floor * theme.floor_ambient * hue(theme.sky_light));
     u.display_ring = {display_colour(theme.ring), theme.ring_cover};
     // The still ring takes the first of four places, the running ones the rest.
+    const float shown = scene.has_rings ? 1.0F : 0.0F;
     u.rings[0] = kStillRing;
+    u.rings[0].y *= shown;
     for (std::size_t i = 0; i < scene.rings.size(); ++i) {
         const BeatRing& ring = scene.rings[i];
         u.rings[i + 1] = {
-            ring.radius, scene.light.rings * ring.brightness, kLineHalfWidth, kRingGlow};
+            ring.radius, shown * scene.light.rings * ring.brightness, kLineHalfWidth, kRingGlow};
     }
 }
 
@@ -172,6 +174,7 @@ FrameView frame_view(const Scene& scene,
               mask_pixels(eye.clip_from_view, height)};
     u.counts.y = scene.theme->has_tone_curve ? 0.0F : 1.0F;
     u.counts.z = scene.floor_size;
+    u.counts.w = scene.has_shadow ? 1.0F : 0.0F;
     return view;
 }
 

@@ -66,7 +66,8 @@ struct FrameUniforms {
     glm::vec4 picture{};
     /// Exposure; 1 on the stage, else 0; phase of the dither; pixels of 0.04 m at 1 m.
     glm::vec4 tone{};
-    /// x: number of blobs; y: 1 shows light as it is, without the tone curve; z: size of the floor.
+    /// x: number of blobs; y: 1 shows light as it is, without the tone curve; z: size of the floor;
+    /// w: 1 with shadows on it, else 0.
     glm::vec4 counts{};
 };
 static_assert(sizeof(FrameUniforms) == (8 + 12 + 8 + 4 + 3) * sizeof(glm::vec4));

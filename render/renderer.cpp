@@ -20,6 +20,7 @@
 #include "render/frame_uniforms.hpp"
 #include "render/gl/objects.hpp"
 #include "render/gl/shadow_map.hpp"
+#include "render/key_painter.hpp"
 #include "render/sphere_painter.hpp"
 #include "render/stage_painter.hpp"
 #include "render/surface_upload.hpp"
@@ -57,7 +58,7 @@ Expected<void> check_context() {
 
 /// Clears the target's rectangle (the scissor is on) to what the backdrop needs.
 void clear(const Scene& scene) noexcept {
-    if (scene.backdrop == Backdrop::transparent) {
+    if (scene.backdrop != Backdrop::stage) {
         glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     } else {
         // What the floor mirrors besides the dancer.
@@ -112,6 +113,13 @@ struct Painted {
     int outfit;
 };
 
+/// All of a picture's dancers: who paints them, where they are, and their sizes.
+struct Bodies {
+    std::vector<Painted> painted;
+    std::vector<motion::WorldPose> places;
+    std::vector<float> sizes;
+};
+
 }  // namespace
 
 /// An avatar on its way into the driver's memory.
@@ -152,7 +160,8 @@ struct Renderer::Parts {
     BodyPrograms body_programs;
     SurfacePrograms surface_programs;
     StagePainter stage;
-    std::optional<SpherePainter> spheres;     // prepare_spheres()
+    std::optional<SpherePainter> spheres;  // prepare_spheres()
+    KeyPainter key;
     std::optional<gl::ShadowMap> shadow_map;  // Quality::high
     gl::Buffer frame;
     gl::Buffer blobs;
@@ -167,10 +176,8 @@ struct Renderer::Parts {
     void upload_dresses(const Scene& scene, std::span<const Painted> dancers);
     void wear(std::size_t dancer) const noexcept;
     [[nodiscard]] AvatarPainter* find(AvatarHandle handle) const noexcept;
-    void draw(const Scene& scene,
-              const FrameView& view,
-              std::span<const Painted> dancers,
-              const FrameTarget& target);
+    void draw(const Scene& scene, const Bodies& bodies, const FrameTarget& target);
+    void draw_picture(const Scene& scene, const Bodies& bodies, const FrameTarget& target);
     void draw_shadow_map(const Scene& scene,
                          std::span<const Painted> dancers,
                          const glm::mat4& clip_from_light);
@@ -208,10 +215,24 @@ AvatarPainter* Renderer::Parts::find(AvatarHandle handle) const noexcept {
     return place < avatars.size() ? avatars[place].get() : nullptr;
 }
 
-void Renderer::Parts::draw(const Scene& scene,
-                           const FrameView& view,
-                           std::span<const Painted> dancers,
-                           const FrameTarget& target) {
+/// What is keyed out is drawn on nothing first, and apart: its edges must not mix with the colour.
+void Renderer::Parts::draw(const Scene& scene, const Bodies& bodies, const FrameTarget& target) {
+    if (scene.backdrop != Backdrop::key) {
+        draw_picture(scene, bodies, target);
+        return;
+    }
+    Scene alone = scene;
+    alone.has_shadow = false;
+    alone.has_rings = false;
+    draw_picture(alone, bodies, key.canvas(target));
+    key.paint(scene.key, target);
+}
+
+void Renderer::Parts::draw_picture(const Scene& scene,
+                                   const Bodies& bodies,
+                                   const FrameTarget& target) {
+    const FrameView view = frame_view(scene, bodies.places, bodies.sizes, target);
+    const std::span<const Painted> dancers = bodies.painted;
     upload(view);
     // Before the target is bound: it draws into a framebuffer of its own.
     upload_dresses(scene, dancers);
@@ -237,6 +258,13 @@ void Renderer::Parts::draw(const Scene& scene,
         dancer.painter->draw_blended(dancer.number, scene);
     }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    // A window with alpha must not show the desktop through the stage.
+    if (scene.backdrop == Backdrop::stage) {
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+        glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
 }
 
 void Renderer::Parts::draw_shadow_map(const Scene& scene,
@@ -267,6 +295,9 @@ void Renderer::Parts::draw_body(const Scene& scene, const Painted& dancer) const
 
 /// Floor over the mirrored body, then rings, then whatever is still empty.
 void Renderer::Parts::draw_stage(const Scene& scene) const noexcept {
+    if (scene.backdrop != Backdrop::stage && !scene.has_shadow && !scene.has_rings) {
+        return;
+    }
     glDisable(GL_CULL_FACE);
     // A fast floor shows no reflection, so it needs no blending, except over a transparent
     // backdrop.
@@ -303,6 +334,10 @@ Expected<Renderer> Renderer::create(const RendererConfig& config) {
     if (!stage) {
         return fail(std::move(stage.error()));
     }
+    Expected<KeyPainter> key = KeyPainter::create(quality);
+    if (!key) {
+        return fail(std::move(key.error()));
+    }
     std::optional<gl::ShadowMap> shadow_map;
     if (quality == Quality::high) {
         Expected<gl::ShadowMap> made = gl::ShadowMap::create(kShadowSide);
@@ -322,6 +357,7 @@ Expected<Renderer> Renderer::create(const RendererConfig& config) {
                                                      SurfacePrograms(quality),
                                                      std::move(*stage),
                                                      {},
+                                                     std::move(*key),
                                                      std::move(shadow_map),
                                                      {},
                                                      {},
@@ -437,19 +473,17 @@ void Renderer::draw(const Scene& scene,
             avatar->begin_picture();
         }
     }
-    std::vector<Painted> painted;
-    std::vector<motion::WorldPose> bodies;
-    std::vector<float> sizes;
+    Bodies bodies;
     for (const Dancer& dancer : dancers) {
         AvatarPainter* const painter = parts_->find(dancer.avatar);
         if (painter != nullptr) {
-            painted.push_back({painter, painter->take(dancer, scene.view), dancer.outfit});
-            bodies.push_back(motion::world_pose(painter->skeleton(), dancer.pose));
-            sizes.push_back(painter->size());
+            bodies.painted.push_back({painter, painter->take(dancer, scene.view), dancer.outfit});
+            bodies.places.push_back(motion::world_pose(painter->skeleton(), dancer.pose));
+            bodies.sizes.push_back(painter->size());
         }
     }
-    if (!painted.empty()) {
-        parts_->draw(scene, frame_view(scene, bodies, sizes, target), painted, target);
+    if (!bodies.painted.empty()) {
+        parts_->draw(scene, bodies, target);
     }
 }
 
@@ -464,12 +498,7 @@ void Renderer::draw(const Scene& scene, const ClipBody& body, const FrameTarget&
     painter->begin_picture();
     const Painted dancer{painter, painter->take({}, View::stick), 0};
     painter->body().set_recorded_body(body.shape);
-    constexpr float kOwnSize = 1.0F;
-    parts_->draw(
-        as_sticks,
-        frame_view(as_sticks, std::span(&body.landmarks, 1), std::span(&kOwnSize, 1), target),
-        std::span(&dancer, 1),
-        target);
+    parts_->draw(as_sticks, {{dancer}, {body.landmarks}, {1.0F}}, target);
 }
 
 Expected<void> Renderer::prepare_spheres() {

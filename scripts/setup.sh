@@ -13,7 +13,7 @@ declare -A lists=(
         portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libdbus-1-dev libsndfile1-dev libspeexdsp-dev
         libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
-        libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
+        libx11-dev libpipewire-0.3-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
         libmeshoptimizer-dev libassimp-dev libdraco-dev nlohmann-json3-dev libsimdjson-dev
         libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev"
     # OpenGL and letters.
@@ -25,6 +25,7 @@ declare -A lists=(
     [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display and checkers of code: all that CI runs.
     [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils
+        gstreamer1.0-tools gstreamer1.0-plugins-base
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
     # scripts/fuzz.sh and scripts/rtsan.sh
     [fuzz]="clang-14 libclang-rt-14-dev"

@@ -10,6 +10,7 @@
 #include "apps/clips/joint_arguments.hpp"
 #include "apps/terminal/program.hpp"
 #include "engine/outputs/outputs.hpp"
+#include "engine/outputs/video_sink.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/settings.hpp"
 #include "engine/show/avatar_model.hpp"
@@ -25,19 +26,34 @@ struct Section {
     std::optional<double> duration;  ///< > 0; to the end when absent
 };
 
+/// How the window of play and live is opened.
+struct WindowWish {
+    bool is_fullscreen = false;  ///< it fills the screen
+    bool is_borderless = false;  ///< without title and frame
+    bool is_on_top = false;      ///< over all other windows
+};
+
+/// Where the pictures of play and live go besides the window.
+struct VideoArguments {
+    std::vector<engine::VideoWish> wishes;  ///< none: nowhere
+    double offset_ms = 0.0;                 ///< pictures later than the sound by so much
+    bool has_overlay = false;               ///< the overlay goes there, too
+};
+
 /// Arguments of `raks play`.
 struct PlayArguments {
-    engine::Settings settings;   ///< of the files and the options
-    std::vector<Path> files;     ///< files, folders, playlists, pipes; empty: the demo salsa
-    Section section;             ///< of every file
-    bool is_shuffled = false;    ///< in an order of the seed
-    bool repeats = false;        ///< begins anew behind the last file
-    bool quits = false;          ///< closes the window behind the last file
-    bool is_headless = false;    ///< no window
-    bool is_soundless = false;   ///< no loudspeaker; paced by the clock
-    bool is_fullscreen = false;  ///< the window fills the screen
-    bool is_as_live = false;     ///< songs are analyzed as they come, as an input is
+    engine::Settings settings;  ///< of the files and the options
+    std::vector<Path> files;    ///< files, folders, playlists, pipes; empty: the demo salsa
+    Section section;            ///< of every file
+    bool is_shuffled = false;   ///< in an order of the seed
+    bool repeats = false;       ///< begins anew behind the last file
+    bool quits = false;         ///< closes the window behind the last file
+    bool is_headless = false;   ///< no window
+    bool is_soundless = false;  ///< no loudspeaker; paced by the clock
+    WindowWish window;          ///< how it is opened
+    bool is_as_live = false;    ///< songs are analyzed as they come, as an input is
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
+    VideoArguments video;                     ///< who else has the pictures
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -48,8 +64,9 @@ struct LiveArguments {
     engine::Settings settings;                ///< of the files and the options
     std::optional<double> duration;           ///< seconds of the input; until stopped when absent
     bool is_headless = false;                 ///< no window
-    bool is_fullscreen = false;               ///< the window fills the screen
+    WindowWish window;                        ///< how it is opened
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
+    VideoArguments video;                     ///< who else has the pictures
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);
@@ -145,6 +162,7 @@ struct RenderArguments {
     std::string motion;         ///< clip to perform: FILE, or FILE#NAME; empty: the dance
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
+    bool has_alpha = false;     ///< the film keeps what is transparent; nothing is behind the dance
 };
 /// Writes a film of the dance. Errors: those of input, OpenGL and the film.
 [[nodiscard]] ExitCode render(const RenderArguments& arguments);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -62,6 +63,66 @@ void add_output_options(CLI::App& app, std::vector<engine::OutputWish>& wishes) 
     }
 }
 
+// What would mix on standard output, or cannot be written, is wrong usage.
+void check_video(const VideoArguments& video,
+                 const std::vector<engine::OutputWish>& outputs,
+                 const Settings& settings) {
+    const auto on_stdout = std::count_if(video.wishes.begin(),
+                                         video.wishes.end(),
+                                         [](const auto& wish) { return wish.is_stdout(); });
+    const auto lines = std::count_if(
+        outputs.begin(), outputs.end(), [](const auto& wish) { return wish.target == "-"; });
+    if (on_stdout + lines > 1) {
+        throw CLI::ValidationError("--video-out", "only one output can go to standard output");
+    }
+    const bool is_y4m = std::any_of(video.wishes.begin(), video.wishes.end(), [](const auto& wish) {
+        return wish.form == engine::PixelForm::y4m;
+    });
+    if (is_y4m && settings.backdrop == "transparent") {
+        throw CLI::ValidationError("--video-form",
+                                   "y4m has no alpha: give --backdrop a colour such as #00ff00");
+    }
+}
+
+// --overlay given by hand is meant for the outputs, too.
+void add_video_options(CLI::App& app,
+                       VideoArguments& video,
+                       const std::vector<engine::OutputWish>& outputs,
+                       const Settings& settings) {
+    app.add_option_function<std::vector<std::string>>(
+           "--video-out",
+           [&video](const std::vector<std::string>& targets) {
+               for (const std::string& target : targets) {
+                   video.wishes.push_back({.target = target});
+               }
+           },
+           "the pictures go there, too: pipewire, pipewire:NAME, a pipe with a name, - for stdout")
+        ->type_name("TARGET")
+        ->expected(1, static_cast<int>(engine::kMostOutputs))
+        ->allow_extra_args(false);
+    const CLI::Option* const form =
+        app.add_option("--video-form", "pictures in a pipe: rgba (premultiplied) or y4m (no alpha)")
+            ->check(one_of({"rgba", "y4m"}));
+    app.add_option("--video-offset", video.offset_ms, "milliseconds, pictures later than the sound")
+        ->check(in_range(-1000.0, 1000.0));
+    const CLI::Option* const overlay = app.get_option("--overlay");
+    app.parse_complete_callback([&video, &outputs, &settings, form, overlay] {
+        video.has_overlay = overlay->count() > 0 && settings.overlay;
+        if (form->count() > 0 && form->as<std::string>() == "y4m") {
+            for (engine::VideoWish& wish : video.wishes) {
+                wish.form = engine::PixelForm::y4m;
+            }
+        }
+        check_video(video, outputs, settings);
+    });
+}
+
+void add_window_options(CLI::App& app, WindowWish& window) {
+    app.add_flag("--fullscreen", window.is_fullscreen, "fill the screen");
+    app.add_flag("--borderless", window.is_borderless, "a window without title and frame");
+    app.add_flag("--on-top", window.is_on_top, "a window over all others");
+}
+
 // --start and --duration, which play and render share.
 void add_section_options(CLI::App& app, Section& section) {
     app.add_option("--start", section.start, "seconds into the file")
@@ -91,11 +152,12 @@ void add_play(RaksCommands& table) {
         {&Settings::output, &Settings::audio_system, &Settings::buffer_ms, &Settings::volume});
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
-    app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+    add_window_options(*app, a->window);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
+    add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
 void add_live(RaksCommands& table) {
@@ -109,9 +171,10 @@ void add_live(RaksCommands& table) {
            "seconds to listen; until stopped when not given")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
     app->add_flag("--headless", a->is_headless, "no window");
-    app->add_flag("--fullscreen", a->is_fullscreen, "fill the screen");
+    add_window_options(*app, a->window);
     add_setting_options(*app, a->settings, engine::kLive);
     add_output_options(*app, a->outputs);
+    add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
 void add_render(RaksCommands& table) {
@@ -120,12 +183,17 @@ void add_render(RaksCommands& table) {
     app->add_option("file", a->input, "music file; none: music that Raks makes");
     app->add_option("-o,--out", a->output, "X.mp4, X.mkv, X.webm, X.avi, or a folder for .png")
         ->required();
+    auto* const alpha =
+        app->add_flag("--alpha",
+                      a->has_alpha,
+                      "nothing behind the dance, and the film keeps it: X.mov, X.webm or a folder");
     app->add_option("--motion", a->motion, kMotionHelp);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     // A window's overlay is a setting, a film has it only when asked for.
     a->settings.overlay = false;
     add_setting_options(*app, a->settings, engine::kRender);
+    alpha->excludes(app->get_option("--backdrop"));
 }
 
 void add_dance(RaksCommands& table) {

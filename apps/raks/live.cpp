@@ -29,11 +29,14 @@ ExitCode live(const LiveArguments& given) {
     }
     engine::Formations& formations = setup->formations;
     // The window before the audio: what comes in while it opens would be late.
-    auto loop = StageLoop::create(
-        arguments.settings,
-        {arguments.is_headless, arguments.is_fullscreen, arguments.duration, arguments.outputs},
-        setup->catalogue.list(),
-        formations);
+    auto loop = StageLoop::create(arguments.settings,
+                                  {arguments.is_headless,
+                                   arguments.window,
+                                   arguments.duration,
+                                   arguments.outputs,
+                                   arguments.video},
+                                  setup->catalogue.list(),
+                                  formations);
     if (!loop) {
         return fail(loop.error());
     }

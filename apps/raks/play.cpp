@@ -407,7 +407,7 @@ ExitCode play(const PlayArguments& given) {
     engine::Formations& formations = setup->formations;
     auto loop = StageLoop::create(
         arguments.settings,
-        {arguments.is_headless, arguments.is_fullscreen, std::nullopt, arguments.outputs},
+        {arguments.is_headless, arguments.window, std::nullopt, arguments.outputs, arguments.video},
         setup->catalogue.list(),
         formations);
     if (!loop) {

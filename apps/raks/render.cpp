@@ -215,6 +215,7 @@ Expected<void> run(engine::MusicSource& source,
 // Size, rate and quality of the film; the sound's rate is the music's.
 render::VideoOptions video_options(const RenderArguments& arguments, const engine::Look& look) {
     render::VideoOptions options;
+    options.has_alpha = arguments.has_alpha;
     options.width = look.size.width;
     options.height = look.size.height;
     const std::vector<std::string> credits = engine::credits_of(look.avatars);
@@ -380,9 +381,20 @@ ExitCode render(const RenderArguments& given) {
     if (arguments.settings.quality == "auto") {
         arguments.settings.quality = "high";
     }
+    if (arguments.has_alpha) {
+        arguments.settings.backdrop = "transparent";
+    }
     const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
+    }
+    // What shows nothing behind the dance keeps that, wherever the film can.
+    if (look->scene.backdrop == render::Backdrop::transparent && !arguments.has_alpha) {
+        arguments.has_alpha = render::VideoWriter::keeps_alpha(arguments.output);
+        if (!arguments.has_alpha) {
+            say("this form of film has no alpha: what is transparent is black in it (.mov, .webm "
+                "and a folder for .png keep it)");
+        }
     }
     // What cannot be written is said before anything is loaded. A film over its own music would
     // destroy it.

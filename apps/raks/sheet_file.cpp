@@ -11,6 +11,7 @@
 #include "render/avatar/avatar.hpp"
 #include "render/overlay/picture_text.hpp"
 #include "render/video/png.hpp"
+#include "render/video/straight_alpha.hpp"
 #include "render/video/video_writer.hpp"
 
 namespace raks::apps {
@@ -126,10 +127,11 @@ Expected<void> SheetStudio::write(const Path& output,
                                   std::span<const Body> bodies,
                                   const render::PoseSheetConfig& config,
                                   const SheetLabels& labels) {
-    const auto picture = render::draw_pose_sheet(renderer_, scene_, bodies, framed(config));
+    auto picture = render::draw_pose_sheet(renderer_, scene_, bodies, framed(config));
     if (!picture) {
         return fail(picture.error());
     }
+    render::make_straight(picture->rgba);
     if (labels.title.empty()) {
         return render::write_png(output, picture->width, picture->height, picture->rgba);
     }

@@ -26,6 +26,7 @@ using engine::Action;
 
 // Without a window: time between two looks at the graph.
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
+constexpr Nanos kDrawingNap = std::chrono::milliseconds(4);  // or whether a picture is due
 // Up to this many seconds after a file's start, "back" means the file before; later, the start.
 constexpr double kStillTheStart = 3.0;
 
@@ -45,7 +46,10 @@ Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
     auto window = render::Window::create({.title = "Raks",
                                           .width = look.size.width,
                                           .height = look.size.height,
-                                          .is_fullscreen = options.is_fullscreen,
+                                          .is_fullscreen = options.window.is_fullscreen,
+                                          .is_transparent = true,
+                                          .is_borderless = options.window.is_borderless,
+                                          .is_on_top = options.window.is_on_top,
                                           .samples = 0,
                                           .max_fps = settings.fps});
     if (!window) {
@@ -86,18 +90,43 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
     std::unique_ptr<StageLoop> loop(
         new StageLoop(settings, options, std::move(dances), formations));
     loop->outputs_ = std::move(*outputs);
-    if (!options.is_headless) {
-        auto window = open_window(settings, *look, options);
+    if (auto opened = loop->open_pictures(*look); !opened) {
+        return fail(opened.error());
+    }
+    return loop;
+}
+
+// The window, or where pictures are drawn without one that somebody wants.
+Expected<void> StageLoop::open_pictures(const engine::Look& look) {
+    if (!options_.video.wishes.empty()) {
+        auto video = VideoShow::create(options_.video, settings_, dances_);
+        if (!video) {
+            return fail(video.error());
+        }
+        video_ = std::move(*video);
+    }
+    if (!options_.is_headless) {
+        auto window = open_window(settings_, look, options_);
         if (!window) {
             return fail(window.error());
         }
-        loop->window_.emplace(std::move(*window));
+        window_.emplace(std::move(*window));
         // The quality that the renderer chose by itself.
-        if (const std::string notice(loop->window_->notice()); !notice.empty()) {
-            loop->say(notice);
+        if (const std::string notice(window_->notice()); !notice.empty()) {
+            say(notice);
         }
+    } else if (video_) {
+        auto context = render::OffscreenContext::create();
+        if (!context) {
+            return fail(context.error());
+        }
+        auto drawing = engine::create_drawing(look);
+        if (!drawing) {
+            return fail(drawing.error());
+        }
+        studio_.emplace(Studio{std::move(*context), std::move(*drawing), look.scene, look.camera});
     }
-    return loop;
+    return {};
 }
 
 StageLoop::StageLoop(const engine::Settings& settings,
@@ -147,6 +176,9 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     wish_.reset();
     told_dance_ = DanceId::none;
     staging_.begin_anew();
+    if (video_) {
+        video_->begin_anew();
+    }
     keep_memory();
     outputs_->follow(graph.feed());
     engine::GraphTarget target(graph);
@@ -171,9 +203,11 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
 
 // With a window the overlay counts them.
 void StageLoop::say_losses(const engine::LiveCounters& lost) const {
-    const std::string words = engine::losses_in_words(lost);
-    if (!words.empty()) {
-        const std::string line = "while it ran: " + words;
+    std::vector<std::string> lines = video_ ? video_->losses() : std::vector<std::string>();
+    if (const std::string words = engine::losses_in_words(lost); !words.empty()) {
+        lines.push_back("while it ran: " + words);
+    }
+    for (const std::string& line : lines) {
         window_ ? say_detail(line) : apps::say(line);
     }
 }
@@ -192,7 +226,24 @@ void StageLoop::run_headless() {
         status.show(fmt::format("{} {:5.1f} BPM",
                                 level_meter(graph_->analysis().level_dbfs(HostClock::now())),
                                 graph_->stage().music.grid.tempo.bpm()));
-        nap(kHeadlessNap);
+        draw_headless();
+        nap(studio_ ? kDrawingNap : kHeadlessNap);
+    }
+}
+
+void StageLoop::draw_headless() {
+    if (studio_) {
+        const render::Camera preset = framed(
+            engine::camera_for(engine::preset_of(studio_->camera), studio_->drawing.bodies.size()));
+        draw_elsewhere({studio_->drawing, studio_->scene, {studio_->camera, preset}});
+    }
+}
+
+void StageLoop::draw_elsewhere(const engine::WindowView& view) {
+    if (video_) {
+        video_->draw(*graph_, view, [this](render::OverlayState& overlay) {
+            describe(graph_->stage(), overlay);
+        });
     }
 }
 
@@ -257,11 +308,16 @@ void StageLoop::advance(double /*seconds*/) {
     for (const std::string& line : outputs_->take_lines()) {
         say(line);
     }
+    if (video_) {
+        for (const std::string& line : video_->take_lines()) {
+            say(line);
+        }
+    }
     if (source_.each_picture) {
         source_.each_picture();
     }
     if (window_) {
-        follow_dance();
+        follow_stage(staging_, graph_->stage());
     }
     say_told_dance();
     if (const bool had_ended = std::exchange(had_ended_, has_ended()); had_ended_ && !had_ended) {
@@ -434,34 +490,17 @@ void StageLoop::say_told_dance() {
     }
 }
 
-// Goes through the hops since the last picture; after a long pause, through those that are known.
-void StageLoop::follow_dance() {
-    const engine::StageState& stage = graph_->stage();
-    const HopIndex newest = stage.music.hop;
-    const HopIndex oldest = newest - static_cast<HopIndex>(engine::StageState::kRecent) + 1;
-    const HopIndex last = staging_.last_hop().value_or(-1);
-    for (HopIndex hop = std::max({last + 1, oldest, HopIndex{0}}); hop <= newest; ++hop) {
-        if (const MusicState* const state = stage.state_of(hop)) {
-            staging_.advance(*state, std::span(stage.tracks).first(stage.dancers));
-        }
-    }
-}
-
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
     formations_.ask_for_bodies(picture.bodies.dance_bodies());
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
-    const engine::ShownMoment shown{stage.music,
-                                    stage.dancer,
-                                    {.tracks = std::span(stage.tracks).first(stage.dancers),
-                                     .places = std::span(stage.places).first(stage.dancers),
-                                     .moment = moment}};
+    const engine::ShownMoment shown = shown_moment(stage, moment);
     staging_.set_picture(
         static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),
         picture.bodies.size());
-    follow_dance();
+    follow_stage(staging_, stage);
     staging_.set(picture.scene, picture.camera, {.time = moment}, shown.danced.tracks);
     draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);
     describe_moment(shown, *dances_, overlay);

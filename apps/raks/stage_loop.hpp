@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/video_show.hpp"
 #include "base/expected.hpp"
 #include "engine/control/action_dispatcher.hpp"
 #include "engine/control/live_actions.hpp"
@@ -17,6 +18,7 @@
 #include "engine/setup/formations.hpp"
 #include "engine/show/staging.hpp"
 #include "engine/show/window_loop.hpp"
+#include "render/gl/offscreen.hpp"
 
 namespace raks::apps {
 
@@ -49,9 +51,10 @@ class StageLoop final : private engine::WindowContent {
     /// How the stage is shown and when it ends.
     struct Options {
         bool is_headless = false;                      ///< no window: a line of progress instead
-        bool is_fullscreen = false;                    ///< else a window of the settings' size
+        WindowWish window;                             ///< of the settings' size where windowed
         std::optional<double> seconds;                 ///< ends after this much of the music
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
+        VideoArguments video = {};                     ///< who has the pictures, too
     };
     /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme
     /// or camera, an output that cannot be opened.
@@ -83,17 +86,19 @@ class StageLoop final : private engine::WindowContent {
               engine::Formations& formations);
 
     void advance(double seconds) override;
+    void draw_elsewhere(const engine::WindowView& view) override;
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
     void use(render::OverlayControl control, double share) override;
     [[nodiscard]] bool is_finished() const override;
     [[nodiscard]] bool has_director() const override { return true; }
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
-    void follow_dance();
     void say_told_dance();
 
     void bind(engine::ActionDispatcher& actions);
     [[nodiscard]] const std::string& source_name() const;
+    [[nodiscard]] Expected<void> open_pictures(const engine::Look& look);
     void run_headless();
+    void draw_headless();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void select_next_dance();
     void keep_dance();
@@ -117,7 +122,16 @@ class StageLoop final : private engine::WindowContent {
     Options options_;
     std::shared_ptr<const DanceList> dances_;
     engine::Formations& formations_;
+    // Without a window, where the pictures go elsewhere. The context lives longest.
+    struct Studio {
+        render::OffscreenContext context;
+        engine::Drawing drawing;
+        render::Scene scene;
+        std::string camera;
+    };
+    std::optional<Studio> studio_;
     std::optional<engine::WindowLoop> window_;
+    std::unique_ptr<VideoShow> video_;  // needs the context of one of both
     engine::Staging staging_;
     engine::LiveActions live_actions_;
     std::unique_ptr<engine::Outputs> outputs_;

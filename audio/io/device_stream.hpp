@@ -93,6 +93,11 @@ class DeviceStream {
     /// connected to; PulseAudio the whole way to the converter. Threads: any. Real-time: yes.
     [[nodiscard]] virtual Nanos heard_after() const noexcept RAKS_NONBLOCKING = 0;
 
+    /// The part of heard_after() that comes behind the sound server: others who record there have
+    /// the sound already, and it is not heard yet. 0 to 2 s; 0 where there is no server. Threads:
+    /// any. Real-time: yes.
+    [[nodiscard]] virtual Nanos behind_server() const noexcept RAKS_NONBLOCKING { return Nanos(0); }
+
     /// Number of callbacks since the start.
     [[nodiscard]] std::uint64_t callbacks() const noexcept;
     /// Frames of the newest block; 0 before the first.

@@ -104,6 +104,10 @@ class JackStream final : public DeviceStream {
         const Nanos block = rate().time_of(blocks().block_frames()).time_since_epoch();
         return line_->is_input ? block - latency : latency;
     }
+    // What is handed over is in the cycle of all clients.
+    [[nodiscard]] Nanos behind_server() const noexcept RAKS_NONBLOCKING override {
+        return line_->is_input ? Nanos(0) : heard_after();
+    }
     [[nodiscard]] bool is_alive(HostTime) const noexcept override {
         return !line_->is_shut_down.load(std::memory_order_relaxed);
     }

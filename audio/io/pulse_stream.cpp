@@ -73,6 +73,9 @@ class PulseStream final : public DeviceStream {
     [[nodiscard]] Nanos heard_after() const noexcept RAKS_NONBLOCKING override {
         return Nanos(heard_after_ns_.load(std::memory_order_relaxed));
     }
+    [[nodiscard]] Nanos behind_server() const noexcept RAKS_NONBLOCKING override {
+        return Nanos(behind_server_ns_.load(std::memory_order_relaxed));
+    }
     [[nodiscard]] bool is_alive(HostTime) const noexcept override {
         return !is_dead_.load(std::memory_order_relaxed);
     }
@@ -90,6 +93,7 @@ class PulseStream final : public DeviceStream {
     void look_at_clock();
     void look_at_capture();
     void note_heard_after(Nanos now) noexcept;
+    void note_behind_server() noexcept;
     // Our own.
     void play_blocks();
     void record_blocks();
@@ -115,6 +119,7 @@ class PulseStream final : public DeviceStream {
     LatestValue<Played> played_;
     // Relaxed: each is a value by itself.
     std::atomic<std::int64_t> heard_after_ns_{0};
+    std::atomic<std::int64_t> behind_server_ns_{0};
     std::atomic<bool> is_stopping_{false};
     std::atomic<bool> is_dead_{false};
     std::mutex events_mutex_;
@@ -349,6 +354,7 @@ void PulseStream::look_at_clock() {
         const Nanos ahead = is_negative != 0 ? Nanos(0) : Nanos(std::chrono::microseconds(latency));
         played_.write(
             {HostTime(HostClock::now()), std::min<Nanos>(ahead, kMostLatency), written_, true});
+        note_behind_server();
     }
 }
 
@@ -363,12 +369,26 @@ void PulseStream::look_at_capture() {
         return;
     }
     looked_at_ = info->timestamp;
+    note_behind_server();
     const auto usec = [](pa_usec_t span) { return Nanos(std::chrono::microseconds(span)); };
     const HostTime said = HostClock::now() - usec(pa_timeval_age(&info->timestamp));
     // An answer that is older than the newest sample tells of one before it.
     if (said >= read_at_) {
         note_heard_after(said + usec(info->sink_usec) - usec(info->source_usec) - read_at_);
     }
+}
+
+// How much the sink holds goes up and down with each of its periods.
+void PulseStream::note_behind_server() noexcept {
+    constexpr int kSlow = 8;
+    const pa_timing_info* const info = pa_stream_get_timing_info(stream_.get());
+    if (info == nullptr) {
+        return;
+    }
+    const auto held = std::min<Nanos>(std::chrono::microseconds(info->sink_usec), kMostLatency);
+    const Nanos before = behind_server();
+    const Nanos step = before == Nanos(0) ? held : (held - before) / kSlow;
+    behind_server_ns_.store((before + step).count(), std::memory_order_relaxed);
 }
 
 // The mean of the last few answers; two far off in a row stand for another latency.

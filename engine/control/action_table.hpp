@@ -49,15 +49,18 @@ enum class Action : std::uint8_t {
     select_camera,
     reset_camera,
     next_theme,
+    next_backdrop,
     toggle_overlay,
     // window
     toggle_fullscreen,
+    toggle_border,
+    toggle_on_top,
     screenshot,
     toggle_help,
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 31;
+inline constexpr std::size_t kActionCount = 34;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

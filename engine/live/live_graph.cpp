@@ -316,6 +316,12 @@ StreamTime LiveGraph::moment_at(HostTime seen_at) noexcept {
     return HeardLine{analysis_->clock(), heard_after()}.heard_by(seen_at) + pose_lead_;
 }
 
+StreamTime LiveGraph::passing_at(HostTime host) noexcept {
+    const Nanos after =
+        stream_ ? stream_->heard_after() - stream_->behind_server() : last_heard_after_;
+    return HeardLine{analysis_->clock(), after}.heard_by(host) + pose_lead_;
+}
+
 // Readers on other threads and the motion thread are told how late it is heard. What is analyzed
 // long before that is danced only when it is nearly due: tracks keep poses for a while only, and
 // what a person asks for must not come after what was danced ahead.

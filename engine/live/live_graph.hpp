@@ -108,6 +108,10 @@ class LiveGraph {
     /// inverse of heard_at()), later by the pose lead.
     [[nodiscard]] StreamTime moment_at(HostTime seen_at) noexcept;
 
+    /// The moment of the music that passes the sound server at `host`: what others record there
+    /// then. Nobody's offsets count. Without a device: what is heard.
+    [[nodiscard]] StreamTime passing_at(HostTime host) noexcept;
+
     /// What the music says, and when it is heard, for one reader on another thread.
     [[nodiscard]] const std::shared_ptr<MusicFeed>& feed() const noexcept {
         return analysis_->feed();

@@ -254,6 +254,9 @@ std::vector<std::string> validate(const Settings& settings) {
     if (const auto size = parse_size(settings.size); !size) {
         faults.push_back("picture.size: " + size.error().message);
     }
+    if (const auto backdrop = parse_backdrop(settings.backdrop); !backdrop) {
+        faults.push_back("picture.backdrop: " + backdrop.error().message);
+    }
     return faults;
 }
 
@@ -363,6 +366,28 @@ Expected<PictureSize> parse_size(std::string_view text) {
         fmt::format("\"{}\" is not a picture size; write WIDTHxHEIGHT, 16 to 7680 each, "
                     "such as 1280x720",
                     text));
+}
+
+Expected<AskedBackdrop> parse_backdrop(std::string_view text) {
+    if (text == "stage") {
+        return AskedBackdrop{};
+    }
+    if (text == "transparent") {
+        return AskedBackdrop{.is_stage = false};
+    }
+    constexpr std::size_t kColour = 7;  // characters, as "#00ff00"
+    std::uint32_t rgb = 0;
+    if (text.size() == kColour && text.front() == '#') {
+        const auto [read, error] = std::from_chars(text.data() + 1, text.data() + kColour, rgb, 16);
+        if (error == std::errc() && read == text.data() + kColour) {
+            const auto part = [rgb](unsigned shift) {
+                return static_cast<std::uint8_t>(rgb >> shift & 0xFFU);
+            };
+            return AskedBackdrop{.is_stage = false, .key = {{part(16), part(8), part(0)}}};
+        }
+    }
+    return fail(fmt::format(
+        "\"{}\" is no backdrop; write stage, transparent, or a colour such as #00ff00", text));
 }
 
 }  // namespace raks::engine

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +46,9 @@ struct Settings {
     double avatar_height = 0.0;       ///< metres; 0: its own; [0, 10]
     std::string avatar_labels;        ///< file that says which nodes are its bones; empty: none
     std::string theme = "stage";      ///< stage, workshop_dark, studio_light or plain
+    std::string backdrop = "stage";   ///< stage, transparent, or a key colour: #RRGGBB
+    bool shadow = true;               ///< dancers throw one on the floor
+    bool rings = true;                ///< rings of light on the floor show the beat
     std::string dress = "dancer";     ///< of painted bodies: dancer or mannequin
     std::string camera = "director";  ///< or a preset: wide, portrait, front or side
     bool calm = false;                ///< fewer cuts; light changes slowly, little, with no accent
@@ -104,5 +109,14 @@ struct PictureSize {
 };
 /// Parses "1280x720". Errors: not of this form; a side outside 16 to 7680 pixels.
 [[nodiscard]] Expected<PictureSize> parse_size(std::string_view text);
+
+/// What lies behind the dancers, as asked for.
+struct AskedBackdrop {
+    bool is_stage = true;  ///< the theme's; else what follows
+    std::optional<std::array<std::uint8_t, 3>> key = std::nullopt;  ///< none: nothing at all
+};
+/// Parses "stage", "transparent" or a colour, "#00ff00" (red, green and blue in hexadecimal).
+/// Errors: none of them.
+[[nodiscard]] Expected<AskedBackdrop> parse_backdrop(std::string_view text);
 
 }  // namespace raks::engine

@@ -54,6 +54,11 @@ class DancerBodies {
     /// From the next moment on they wear this; tails begin anew. Returns what they wore.
     [[nodiscard]] Wardrobe wear(Wardrobe wardrobe);
 
+    /// What they wear.
+    [[nodiscard]] const Wardrobe& wardrobe() const noexcept { return wardrobe_; }
+    /// How their faces behave.
+    [[nodiscard]] const FaceHabits& habits() const noexcept { return habits_; }
+
     /// The dancers at a moment; they hold until the next call. `camera`: where solo dancers look.
     [[nodiscard]] std::span<const render::Dancer> at(const DancedMoment& danced,
                                                      const MusicState& music,

@@ -30,6 +30,13 @@ Expected<Look> read_look(const Settings& settings) {
     look.liveliness = settings.calm ? render::Liveliness::calm : render::Liveliness::usual;
     look.scene.dress =
         settings.dress == "mannequin" ? render::Dress::mannequin : render::Dress::dancer;
+    const auto backdrop = parse_backdrop(settings.backdrop);
+    if (!backdrop) {
+        return fail(backdrop.error());
+    }
+    set_backdrop(look.scene, *backdrop);
+    look.scene.has_shadow = settings.shadow;
+    look.scene.has_rings = settings.rings;
     const auto size = parse_size(settings.size);
     if (!size) {
         return fail(size.error());
@@ -47,6 +54,13 @@ Expected<Look> read_look(const Settings& settings) {
                    : settings.quality == "high" ? render::Quality::high
                                                 : render::Quality::automatic;
     return look;
+}
+
+void set_backdrop(render::Scene& scene, const AskedBackdrop& backdrop) noexcept {
+    scene.backdrop = backdrop.is_stage ? render::Backdrop::stage
+                     : backdrop.key    ? render::Backdrop::key
+                                       : render::Backdrop::transparent;
+    scene.key = backdrop.key.value_or(scene.key);
 }
 
 void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept {

@@ -27,9 +27,13 @@ struct Look {
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
 };
 
-/// Resolves the settings, but for the avatar. `settings`: valid. Errors: an unknown theme, a bad
-/// size.
+/// Resolves the settings, but for the avatar. `settings`: valid. Errors: an unknown theme or
+/// backdrop, a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
+
+/// Lays a backdrop behind the dancers. The key colour of a scene stays where none is asked for.
+/// Pure.
+void set_backdrop(render::Scene& scene, const AskedBackdrop& backdrop) noexcept;
 
 /// Puts avatars on, at least one, and the camera where the size of the largest asks for. Pure.
 void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept;

@@ -26,6 +26,7 @@
 #include "render/import/model_reader.hpp"
 #include "render/scene/camera.hpp"
 #include "render/video/png.hpp"
+#include "render/video/straight_alpha.hpp"
 
 #include <fmt/format.h>
 
@@ -96,6 +97,7 @@ Expected<void> write_screenshot(const std::filesystem::path& path,
     if (auto read = render::read_rgba(frame, rgba); !read) {
         return read;
     }
+    render::make_straight(rgba);
     return render::write_png(path, frame.width, frame.height, rgba);
 }
 
@@ -135,6 +137,8 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         content.advance(to_seconds(now - last));
         last = now;
         change_avatar();
+        content.draw_elsewhere(
+            {drawing_, scene_, {camera_name_, preset(content), is_camera_held_}});
         draw(content);
         // Checked after the picture, so that a screenshot asked for with the last key is still
         // taken.
@@ -183,7 +187,16 @@ void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
 
 void WindowLoop::bind_window(ActionDispatcher& actions) {
     actions.on(Action::next_theme, [this](double) { go_to_next_theme(); });
+    actions.on(Action::next_backdrop, [this](double) { go_to_next_backdrop(); });
     actions.on(Action::toggle_fullscreen, [this](double) { window_.toggle_fullscreen(); });
+    actions.on(Action::toggle_border, [this](double) {
+        say(window_.toggle_border() ? "the window has its frame"
+                                    : "the window has no frame (W: give it back)");
+    });
+    actions.on(Action::toggle_on_top, [this](double) {
+        say(window_.toggle_on_top() ? "the window stays over all others (Y: no more)"
+                                    : "other windows may lie over this one");
+    });
     actions.on(Action::screenshot, [this](double) { wants_screenshot_ = true; });
     actions.on(Action::quit, [this](double) { wants_to_quit_ = true; });
     // Without cards there is nothing to toggle, and the help panel must not list the key.
@@ -392,6 +405,28 @@ void WindowLoop::go_to_next_theme() {
     if (const auto theme = render::find_theme(name)) {
         scene_.theme = *theme;
         say("theme " + std::string(name));
+    }
+}
+
+void WindowLoop::go_to_next_backdrop() {
+    switch (scene_.backdrop) {
+        case render::Backdrop::stage:
+            scene_.backdrop = render::Backdrop::transparent;
+            say(window_.is_transparent()
+                    ? "backdrop: transparent"
+                    : "backdrop: transparent, but no compositor runs: black is seen");
+            return;
+        case render::Backdrop::transparent:
+            scene_.backdrop = render::Backdrop::key;
+            say(fmt::format("backdrop: key colour #{:02x}{:02x}{:02x}",
+                            scene_.key[0],
+                            scene_.key[1],
+                            scene_.key[2]));
+            return;
+        case render::Backdrop::key:
+            scene_.backdrop = render::Backdrop::stage;
+            say("backdrop: stage");
+            return;
     }
 }
 

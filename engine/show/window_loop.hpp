@@ -32,6 +32,13 @@ struct WindowPicture {
     HostTime seen_at;
 };
 
+/// What the window looks at, for pictures that go elsewhere.
+struct WindowView {
+    Drawing& drawing;            ///< renderer, bodies, overlay
+    const render::Scene& scene;  ///< as the window has it now
+    CameraChoice camera;         ///< who moves the scene's camera
+};
+
 /// What a window shows: the stage, a clip, a dance that is being written. The loop calls it.
 /// Threads: main.
 class WindowContent {
@@ -48,6 +55,9 @@ class WindowContent {
 
     /// Moves on by the time since the last picture, in seconds.
     virtual void advance(double seconds) = 0;
+    /// Draws what goes elsewhere than into the window; called before each of its pictures, also
+    /// while it is minimized.
+    virtual void draw_elsewhere(const WindowView& /*view*/) {}
     /// Draws one picture and fills in the overlay, whose texts must stay valid until the next call.
     virtual void draw(const WindowPicture& picture, render::OverlayState& overlay) = 0;
     /// True when there is nothing more to show: the loop ends.
@@ -141,6 +151,7 @@ class WindowLoop {
     void look_from(std::size_t direction, const WindowContent& content);
     void let_go_of_camera(const WindowContent& content);
     void go_to_next_theme();
+    void go_to_next_backdrop();
     void go_to_next_avatar();
     void change_avatar();
     void ask_for_avatars(std::vector<std::string> names);

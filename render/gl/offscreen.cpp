@@ -238,6 +238,7 @@ struct OffscreenTarget::Parts {
     OffscreenTargetConfig config;
     Attachments drawn;
     std::optional<Attachments> resolved;  // with multisampling: what is read
+    std::optional<gl::Buffer> reading;    // of begin_reading()
 };
 
 Expected<OffscreenTarget> OffscreenTarget::create(const OffscreenTargetConfig& config) {
@@ -280,7 +281,8 @@ FrameTarget OffscreenTarget::frame() const noexcept {
 
 void OffscreenTarget::finish() const noexcept { glFinish(); }
 
-Expected<void> OffscreenTarget::read_rgba(std::span<std::uint8_t> rgba) {
+/// Where each pixel is one sample.
+FrameTarget OffscreenTarget::resolve() noexcept {
     FrameTarget readable = frame();
     // Averages the samples of each pixel.
     if (parts_->resolved) {
@@ -291,7 +293,48 @@ Expected<void> OffscreenTarget::read_rgba(std::span<std::uint8_t> rgba) {
             0, 0, width(), height(), 0, 0, width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
         readable.framebuffer = resolved;
     }
-    return render::read_rgba(readable, rgba);
+    return readable;
+}
+
+Expected<void> OffscreenTarget::read_rgba(std::span<std::uint8_t> rgba) {
+    return render::read_rgba(resolve(), rgba);
+}
+
+/// The driver copies into a buffer of its own when it comes to it.
+void OffscreenTarget::begin_reading() {
+    const FrameTarget readable = resolve();
+    if (!parts_->reading) {
+        parts_->reading.emplace();
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, parts_->reading->name());
+        const auto bytes = static_cast<GLsizeiptr>(width()) * height() * 4;
+        glBufferData(GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, parts_->reading->name());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, readable.framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+Expected<void> OffscreenTarget::finish_reading(std::span<std::uint8_t> rgba) {
+    const std::size_t row = static_cast<std::size_t>(width()) * 4;
+    const auto rows = static_cast<std::size_t>(height());
+    if (!parts_->reading || rgba.size() != row * rows) {
+        return fail("a picture of " + std::to_string(width()) + "x" + std::to_string(height()) +
+                    " was not read, or does not have " + std::to_string(rgba.size()) + " bytes");
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, parts_->reading->name());
+    const auto* const from = static_cast<const std::uint8_t*>(glMapBufferRange(
+        GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(row * rows), GL_MAP_READ_BIT));
+    if (from != nullptr) {
+        // OpenGL has the lowest row first.
+        for (std::size_t y = 0; y < rows; ++y) {
+            std::copy_n(from + (rows - 1 - y) * row, row, &rgba[y * row]);
+        }
+        glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    return from != nullptr ? Expected<void>() : fail("the driver does not give the picture back");
 }
 
 }  // namespace raks::render

@@ -84,6 +84,12 @@ class OffscreenTarget {
     /// reading back ends with.
     void finish() const noexcept;
 
+    /// Begins to read the picture, so that it is there when others have been drawn meanwhile.
+    void begin_reading();
+    /// The picture as it was at begin_reading(), the last one: as read_rgba(). Errors: there was
+    /// none; `rgba` has another size; the driver refuses.
+    [[nodiscard]] Expected<void> finish_reading(std::span<std::uint8_t> rgba);
+
     /// Resolves the samples and reads the picture: RGBA, top row first, width * height * 4 bytes.
     /// Errors: as the free read_rgba.
     [[nodiscard]] Expected<void> read_rgba(std::span<std::uint8_t> rgba);
@@ -91,6 +97,7 @@ class OffscreenTarget {
  private:
     struct Parts;
     explicit OffscreenTarget(std::unique_ptr<Parts> parts) noexcept;
+    [[nodiscard]] FrameTarget resolve() noexcept;
     std::unique_ptr<Parts> parts_;
 };
 

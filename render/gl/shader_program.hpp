@@ -15,6 +15,7 @@ inline constexpr GLuint kBlobsBinding = 2;    ///< block "Blobs" (shaders/frame.
 inline constexpr GLuint kSurfaceBinding = 3;  ///< block "Surface" (shaders/surface.glsl)
 inline constexpr GLuint kDressBinding = 4;    ///< block "Dress" (shaders/dress.glsl)
 inline constexpr GLint kShadowUnit = 0;       ///< sampler "shadow_map"
+inline constexpr GLint kPictureUnit = 15;     ///< sampler "drawn" (shaders/key.frag)
 
 /// Which shader files make a program, each list in order, and what is #defined before them.
 struct ProgramSources {

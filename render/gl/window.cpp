@@ -322,6 +322,8 @@ Expected<Window> Window::create(const WindowOptions& options) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, options.samples);
     glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
+    glfwWindowHint(GLFW_DECORATED, yes_no(!options.is_borderless));
+    glfwWindowHint(GLFW_FLOATING, yes_no(options.is_on_top));
     glfwWindowHint(GLFW_VISIBLE, yes_no(options.is_visible));
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "raks");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
@@ -415,6 +417,21 @@ void Window::toggle_fullscreen() {
 }
 
 bool Window::is_fullscreen() const { return glfwGetWindowMonitor(state_->handle) != nullptr; }
+
+namespace {
+
+/// Returns whether it is on now.
+bool toggle(GLFWwindow* window, int attribute) {
+    const bool is_on = glfwGetWindowAttrib(window, attribute) != GLFW_TRUE;
+    glfwSetWindowAttrib(window, attribute, is_on ? GLFW_TRUE : GLFW_FALSE);
+    return is_on;
+}
+
+}  // namespace
+
+bool Window::toggle_border() { return toggle(state_->handle, GLFW_DECORATED); }
+
+bool Window::toggle_on_top() { return toggle(state_->handle, GLFW_FLOATING); }
 
 bool Window::is_transparent() const {
     return glfwGetWindowAttrib(state_->handle, GLFW_TRANSPARENT_FRAMEBUFFER) == GLFW_TRUE;

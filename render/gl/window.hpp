@@ -114,6 +114,8 @@ struct WindowOptions {
     /// From the start; `toggle_fullscreen` changes it.
     bool is_fullscreen = false;
     bool is_transparent = false;  ///< what is drawn with alpha 0 shows the desktop (compositor)
+    bool is_borderless = false;   ///< without title and frame; `toggle_border` changes it
+    bool is_on_top = false;       ///< over all other windows; `toggle_on_top` changes it
     /// Off for tests that draw into a hidden window.
     bool is_visible = true;
     int samples = 0;       ///< anti-aliasing of the window's own framebuffer
@@ -172,6 +174,10 @@ class Window {
     void toggle_fullscreen();
     /// Whether it fills a monitor.
     [[nodiscard]] bool is_fullscreen() const;
+    /// Takes title and frame away, or gives them back. Returns whether they are there now.
+    bool toggle_border();
+    /// Keeps the window over all others, or no more. Returns whether it does now.
+    bool toggle_on_top();
     /// Whether the desktop shows through (asked for, and a compositor runs).
     [[nodiscard]] bool is_transparent() const;
     /// UTF-8.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -37,9 +38,14 @@ enum class BeatAccent { beat, downbeat };
 /// What stands for the dancer: the skinned avatar or the stick figure.
 enum class View { skin, stick };
 
-/// What is behind the dancer: the theme's stage, or nothing (alpha 0, premultiplied colours; the
-/// shadow and the rings stay) for laying the picture over others.
-enum class Backdrop { stage, transparent };
+/// What is behind the dancer: the theme's stage; nothing (alpha 0, premultiplied colours; the
+/// shadow and the rings stay) for laying the picture over others; or one flat colour for programs
+/// that key it out: each pixel is that colour exactly or holds none of it, and the floor shows
+/// neither shadow nor rings.
+enum class Backdrop { stage, transparent, key };
+
+/// Red, green and blue as they are shown.
+using KeyColour = std::array<std::uint8_t, 3>;
 
 /// A matt sphere that stands in the world.
 struct LitSphere {
@@ -72,8 +78,14 @@ struct Scene {
     LightLevels light;
     /// Rings of light at this moment.
     BeatRings rings{};
-    /// Stage or transparent.
+    /// What is behind the dancers.
     Backdrop backdrop = Backdrop::stage;
+    /// Of Backdrop::key.
+    KeyColour key{0, 255, 0};
+    /// Whether the dancers throw a shadow on the floor.
+    bool has_shadow = true;
+    /// Whether the beat's rings are on the floor.
+    bool has_rings = true;
     /// Of the floor and its pool of light, >= 1; 1: for one to three dancers (floor_size_for).
     float floor_size = 1.0F;
     /// Stream time, seconds: textures that move are where they are then.

@@ -22,6 +22,8 @@ const char* muxer_name(FilmForm form) {
             return "webm";
         case FilmForm::avi:
             return "avi";
+        case FilmForm::mov:
+            return "mov";
         case FilmForm::mp4:
             break;
     }
@@ -149,6 +151,10 @@ Expected<void> Film::write_header(const std::string& url) {
     AVDictionary* options = nullptr;
     if (form_ == FilmForm::mp4) {
         av_dict_set(&options, "movflags", "+frag_keyframe+delay_moov+default_base_moof", 0);
+    } else if (form_ == FilmForm::mov) {
+        // Every picture is a key frame: fragments are a second long.
+        av_dict_set(&options, "movflags", "+delay_moov+default_base_moof", 0);
+        av_dict_set(&options, "frag_duration", "1000000", 0);  // microseconds
     } else if (form_ != FilmForm::avi) {
         av_dict_set(&options, "cluster_time_limit", "1000", 0);  // milliseconds
         // The sound's delay is taken off in encode().
@@ -312,7 +318,7 @@ Expected<void> Film::write_trailer() {
         return give_up("cannot be written: " + av_reason(error));
     }
     plays_ = true;
-    return form_ == FilmForm::mp4 ? make_plain() : Expected<void>();
+    return form_ == FilmForm::mp4 || form_ == FilmForm::mov ? make_plain() : Expected<void>();
 }
 
 /// Replaces the fragments by a plain film. Until the last step the fragments stay: whenever we are
@@ -327,7 +333,8 @@ Expected<void> Film::make_plain() {
     if (!plain) {
         return give_up(plain.error().message);
     }
-    auto made = make_plain_mp4(file_.part().string(), plain->part().string(), tracks);
+    auto made =
+        make_plain_film(muxer_name(form_), file_.part().string(), plain->part().string(), tracks);
     if (made) {
         made = plain->commit();
     }

@@ -19,19 +19,20 @@ struct QualityRow {
     int vp9_speed;
     int vp9_crf;
     int jpeg_scale;
+    int prores_bits;  // a macroblock, at most
 };
 
 /// `normal` stands for anything else, too.
 QualityRow row_of(VideoQuality quality) {
     switch (quality) {
         case VideoQuality::draft:
-            return {"ultrafast", 23, 8, 38, 6};
+            return {"ultrafast", 23, 8, 38, 6, 1000};
         case VideoQuality::high:
-            return {"medium", 17, 4, 26, 2};
+            return {"medium", 17, 4, 26, 2, 4000};
         case VideoQuality::normal:
             break;
     }
-    return {"veryfast", 20, 6, 33, 3};
+    return {"veryfast", 20, 6, 33, 3, 2000};
 }
 
 /// BT.709 in limited range with 4:2:0 colour: what players assume of a film of this size.
@@ -65,6 +66,23 @@ void set_vp9(AVCodecContext& codec, const QualityRow& row) {
     av_opt_set_int(codec.priv_data, "cpu-used", row.vp9_speed, 0);
     // Two columns for two threads.
     av_opt_set_int(codec.priv_data, "tile-columns", 1, 0);
+}
+
+/// Alpha is a film of its own beside the colours; frames that are never shown would part the two.
+void set_vp9_with_alpha(AVCodecContext& codec, const QualityRow& row) {
+    set_vp9(codec, row);
+    codec.pix_fmt = AV_PIX_FMT_YUVA420P;
+    av_opt_set_int(codec.priv_data, "auto-alt-ref", 0, 0);
+}
+
+void set_prores(AVCodecContext& codec, const QualityRow& row) {
+    set_bt709(codec);
+    codec.pix_fmt = AV_PIX_FMT_YUVA444P10;
+    av_opt_set(codec.priv_data, "profile", "4444", 0);
+    av_opt_set_int(codec.priv_data, "alpha_bits", 16, 0);
+    av_opt_set_int(codec.priv_data, "bits_per_mb", row.prores_bits, 0);
+    // Some editors refuse what does not bear this mark.
+    av_opt_set(codec.priv_data, "vendor", "apl0", 0);
 }
 
 /// Readers take JPEG for what JFIF says: BT.601, full range.
@@ -119,14 +137,20 @@ struct PictureCodec {
     const char* instead;
 };
 
-const PictureCodec& codec_of(FilmForm form) {
+const PictureCodec& codec_of(FilmForm form, bool has_alpha) {
     static constexpr PictureCodec kH264{"libx264", set_h264, "write an .avi instead"};
     static constexpr PictureCodec kVp9{"libvpx-vp9", set_vp9, "write an .avi instead"};
+    static constexpr PictureCodec kVp9WithAlpha{
+        "libvpx-vp9", set_vp9_with_alpha, "name a folder to get numbered .png pictures"};
+    static constexpr PictureCodec kProRes{
+        "prores_ks", set_prores, "name a folder to get numbered .png pictures"};
     static constexpr PictureCodec kJpeg{
         "mjpeg", set_jpeg, "name a folder to get numbered .png pictures"};
     switch (form) {
         case FilmForm::webm:
-            return kVp9;
+            return has_alpha ? kVp9WithAlpha : kVp9;
+        case FilmForm::mov:
+            return kProRes;
         case FilmForm::avi:
             return kJpeg;
         case FilmForm::mp4:
@@ -141,7 +165,7 @@ const PictureCodec& codec_of(FilmForm form) {
 Expected<PictureEncoder> PictureEncoder::create(FilmForm form,
                                                 const VideoOptions& options,
                                                 int muxer_flags) {
-    const PictureCodec& choice = codec_of(form);
+    const PictureCodec& choice = codec_of(form, options.has_alpha);
     const AVCodec* const kind = avcodec_find_encoder_by_name(choice.name);
     if (kind == nullptr) {
         return fail(std::string("this FFmpeg has no encoder ") + choice.name + "; " +
@@ -169,6 +193,9 @@ Expected<PictureEncoder> PictureEncoder::create(FilmForm form,
     if (const int error = avcodec_open2(&codec, kind, nullptr); error < 0) {
         return fail(std::string(kind->name) + " does not start: " + av_reason(error));
     }
+    if (options.has_alpha) {
+        encoder.edges_.emplace(options.width, options.height);
+    }
     encoder.scaler_ = make_scaler(codec);
     if (!encoder.scaler_) {
         return fail("no conversion from RGBA to the codec's colours");
@@ -177,7 +204,12 @@ Expected<PictureEncoder> PictureEncoder::create(FilmForm form,
 }
 
 Expected<FrameHandle> PictureEncoder::convert(std::span<const std::uint8_t> rgba,
-                                              std::int64_t number) const {
+                                              std::int64_t number) {
+    if (edges_) {
+        straight_.assign(rgba.begin(), rgba.end());
+        edges_->make_straight(straight_);
+        rgba = straight_;
+    }
     // A fresh frame each time: the encoder keeps the last ones while it looks ahead.
     FrameHandle frame(av_frame_alloc());
     if (!frame) {

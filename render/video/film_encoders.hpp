@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/expected.hpp"
+#include "render/video/straight_alpha.hpp"
 #include "render/video/video_forms.hpp"
 
 extern "C" {
@@ -65,8 +67,8 @@ using MuxerHandle = std::unique_ptr<AVFormatContext, FreeMuxer>;
 /// machine: x264 writes the number into the file, and its pictures depend on it.
 inline constexpr int kEncoderThreads = 2;
 
-/// H.264 for .mp4 and .mkv, VP9 for .webm, Motion JPEG for .avi: converts RGBA pictures into frames
-/// for libavcodec. Threads: one. Real-time: no.
+/// H.264 for .mp4 and .mkv, VP9 for .webm, Motion JPEG for .avi, ProRes 4444 for .mov: converts
+/// RGBA pictures into frames for libavcodec. Threads: one. Real-time: no.
 class PictureEncoder {
  public:
     /// Opens the encoder. `muxer_flags` are AVOutputFormat's: they tell whether the container keeps
@@ -80,11 +82,13 @@ class PictureEncoder {
     /// The picture in the codec's pixel format, at time `number` / rate. `rgba` has the size of the
     /// options. Errors: out of memory.
     [[nodiscard]] Expected<FrameHandle> convert(std::span<const std::uint8_t> rgba,
-                                                std::int64_t number) const;
+                                                std::int64_t number);
 
  private:
     CodecHandle codec_;
     ScalerHandle scaler_;
+    std::optional<EdgeColours> edges_;    // of pictures with alpha
+    std::vector<std::uint8_t> straight_;  // the picture that is converted
 };
 
 /// AAC for .mp4, Opus for .mkv and .webm, 16 bit PCM for .avi: collects samples until a frame of
@@ -130,11 +134,12 @@ struct FilmTrack {
     std::int64_t first_dts = 0;             ///< of its first packet, in the codec's time base
     std::int64_t end = 0;                   ///< of the track, likewise: what is longer is cut
 };
-/// Writes a film in fragments anew as a plain one, without encoding anything again. `tracks`: as
-/// the fragments have them. Errors: `fragments` cannot be read, `plain` cannot be written; then
-/// `plain` may be there in part.
-[[nodiscard]] Expected<void> make_plain_mp4(const std::string& fragments,
-                                            const std::string& plain,
-                                            std::span<const FilmTrack> tracks);
+/// Writes a film in fragments anew as a plain one, without encoding anything again. `form`: "mp4"
+/// or "mov"; `tracks`: as the fragments have them. Errors: `fragments` cannot be read, `plain`
+/// cannot be written; then `plain` may be there in part.
+[[nodiscard]] Expected<void> make_plain_film(const char* form,
+                                             const std::string& fragments,
+                                             const std::string& plain,
+                                             std::span<const FilmTrack> tracks);
 
 }  // namespace raks::render

@@ -35,6 +35,7 @@ const SoundCodec& sound_codec_of(FilmForm form) {
         case FilmForm::mkv:  // Matroska cannot say how long an AAC encoder's delay is
             return kOpus;
         case FilmForm::avi:
+        case FilmForm::mov:
             return kPcm;
         case FilmForm::mp4:
             break;

@@ -58,12 +58,13 @@ bool describe(AVCodecParameters& to, const FilmTrack& track, const AVCodecParame
     return true;
 }
 
-Expected<MuxerHandle> open_plain(const std::string& path,
+Expected<MuxerHandle> open_plain(const char* form,
+                                 const std::string& path,
                                  std::span<const FilmTrack> tracks,
                                  const AVFormatContext& fragments) {
     AVFormatContext* context = nullptr;
     const std::string url = "file:" + path;
-    int error = avformat_alloc_output_context2(&context, nullptr, "mp4", url.c_str());
+    int error = avformat_alloc_output_context2(&context, nullptr, form, url.c_str());
     MuxerHandle muxer(context);
     if (error < 0) {
         return fail("cannot be written: " + av_reason(error));
@@ -117,14 +118,15 @@ class Retimed {
 
 }  // namespace
 
-Expected<void> make_plain_mp4(const std::string& fragments,
-                              const std::string& plain,
-                              std::span<const FilmTrack> tracks) {
+Expected<void> make_plain_film(const char* form,
+                               const std::string& fragments,
+                               const std::string& plain,
+                               std::span<const FilmTrack> tracks) {
     auto demuxer = open_fragments(fragments, tracks.size());
     if (!demuxer) {
         return fail(demuxer.error());
     }
-    auto muxer = open_plain(plain, tracks, **demuxer);
+    auto muxer = open_plain(form, plain, tracks, **demuxer);
     if (!muxer) {
         return fail(muxer.error());
     }

@@ -10,7 +10,7 @@
 namespace raks::render {
 
 /// Container of a film; codecs follow from it.
-enum class FilmForm { mp4, mkv, webm, avi };
+enum class FilmForm { mp4, mkv, webm, avi, mov };
 
 /// The form of an ending in lower case, ".mp4"; nothing for others.
 [[nodiscard]] constexpr std::optional<FilmForm> film_form_of(std::string_view ending) noexcept {
@@ -22,6 +22,9 @@ enum class FilmForm { mp4, mkv, webm, avi };
     }
     if (ending == ".webm") {
         return FilmForm::webm;
+    }
+    if (ending == ".mov") {
+        return FilmForm::mov;
     }
     return ending == ".avi" ? std::optional(FilmForm::avi) : std::nullopt;
 }

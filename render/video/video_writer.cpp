@@ -9,9 +9,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/pending_file.hpp"
 #include "render/video/png.hpp"
+#include "render/video/straight_alpha.hpp"
 #include "render/video/video_forms.hpp"
 
 namespace raks::render {
@@ -31,6 +33,11 @@ class PictureFolder final : public VideoWriter {
         }
         if (auto fits = check_picture(rgba, options_); !fits) {
             return fail(std::move(fits.error()).in(path_.string()));
+        }
+        if (options_.has_alpha) {
+            straight_.assign(rgba.begin(), rgba.end());
+            make_straight(straight_);
+            rgba = straight_;
         }
         std::array<char, 32> name{};
         // Numbered from 1; six digits sort by name for 9 hours at 30 pictures a second.
@@ -81,6 +88,7 @@ class PictureFolder final : public VideoWriter {
     fs::path path_;
     PendingFile folder_;
     VideoOptions options_;
+    std::vector<std::uint8_t> straight_;  // of a picture with alpha
     long long pictures_ = 0;
     std::optional<Error> failure_;
 };
@@ -174,13 +182,25 @@ bool is_for_folder(const std::filesystem::path& path) {
     return path.extension().empty() || std::filesystem::is_directory(path, ignored);
 }
 
+/// Whether a form's codec has it.
+bool has_alpha(FilmForm form) { return form == FilmForm::mov || form == FilmForm::webm; }
+
 /// The form of a film, which must be one with even sides. Errors: an unknown ending, odd sides.
 Expected<FilmForm> check_film(const std::filesystem::path& path, const VideoOptions& options) {
     const std::string extension = lower_extension(path);
     const auto form = film_form_of(extension);
     if (!form) {
-        return fail(path.string() + ": unknown kind of film \"" + extension +
-                    "\"; known: .mp4, .mkv, .webm, .avi, or a folder for numbered .png pictures");
+        return fail(
+            path.string() + ": unknown kind of film \"" + extension +
+            "\"; known: .mp4, .mkv, .webm, .avi, with alpha .mov, or a folder for numbered .png "
+            "pictures");
+    }
+    if (options.has_alpha && !has_alpha(*form)) {
+        return fail(path.string() + ": a " + extension +
+                    " has no alpha; use .mov, .webm, or a folder for numbered .png pictures");
+    }
+    if (!options.has_alpha && *form == FilmForm::mov) {
+        return fail(path.string() + ": a .mov is written with alpha alone; use .mp4");
     }
     if (auto even = check_even(options); !even) {
         return fail(std::move(even.error()).in(path.string()));
@@ -198,6 +218,11 @@ Expected<void> check_picture(std::span<const std::uint8_t> rgba, const VideoOpti
                     std::to_string(rgba.size()) + " bytes");
     }
     return {};
+}
+
+bool VideoWriter::keeps_alpha(const std::filesystem::path& path) {
+    const auto form = film_form_of(lower_extension(path));
+    return is_for_folder(path) || (form && has_alpha(*form));
 }
 
 Expected<void> VideoWriter::check(const std::filesystem::path& path, const VideoOptions& options) {

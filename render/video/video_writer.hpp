@@ -43,7 +43,10 @@ struct VideoOptions {
     /// Hz, 8,000 to 192,000; resampled to 48,000 where the form's codec does not have it.
     int audio_rate = 48'000;
     int audio_channels = 2;  ///< 0 (no sound track), 1 or 2
-    std::string comment{};   ///< of the film, for who looks at its details; empty: none
+    /// The pictures have alpha and premultiplied colours, and the film keeps both, colours
+    /// straight. Only in .mov, .webm and .png; without it a .mov cannot be written.
+    bool has_alpha = false;
+    std::string comment{};  ///< of the film, for who looks at its details; empty: none
 };
 
 /// Writes a film with sound. The extension chooses the form:
@@ -52,6 +55,7 @@ struct VideoOptions {
 ///   X.mkv   the same pictures and Opus 128 kb/s, in Matroska
 ///   X.webm  VP9 (the same colours) and Opus
 ///   X.avi   Motion JPEG and 16 bit PCM: plays everywhere, needs no H.264 encoder
+///   X.mov   with alpha: ProRes 4444 (10 bits, 16 of alpha) and 16 bit PCM, for editors
 ///   X, X/   a folder of pictures 000001.png, 000002.png, ...; sound is accepted and dropped
 ///
 /// Picture k is shown from k / rate on and sample n is played at n / audio_rate; the encoders' own
@@ -85,6 +89,9 @@ class VideoWriter {
     [[nodiscard]] static Expected<void> check(const std::filesystem::path& path,
                                               const VideoOptions& options);
 
+    /// Whether a film of that name can have alpha: VideoOptions::has_alpha.
+    [[nodiscard]] static bool keeps_alpha(const std::filesystem::path& path);
+
     /// One file, one writer: not to be copied or moved.
     VideoWriter(const VideoWriter&) = delete;
     /// As the constructor.
@@ -92,8 +99,9 @@ class VideoWriter {
     /// Removes the part unless finish() succeeded.
     virtual ~VideoWriter() = default;
 
-    /// Adds one picture: width x height x 4 bytes RGBA, top row first; alpha is not looked at
-    /// (kept in .png). Errors: a full disk and the like; nothing more can be added then.
+    /// Adds one picture: width x height x 4 bytes RGBA, top row first. Without
+    /// VideoOptions::has_alpha, alpha is not looked at (kept as it is in .png). Errors: a full disk
+    /// and the like; nothing more can be added then.
     [[nodiscard]] virtual Expected<void> add_picture(std::span<const std::uint8_t> rgba) = 0;
     /// Adds interleaved samples, any number of whole audio frames, [-1, 1] (clipped; NaN is 0).
     [[nodiscard]] virtual Expected<void> add_sound(std::span<const float> interleaved) = 0;

@@ -66,6 +66,9 @@ TEST_F(BadInput, wrong_usage_is_exit_code_2) {
     expect_one_line({"render", music}, 2, "out");
     expect_one_line({"render", music, "-o", path("x.mp4"), "--fps", "0"}, 2, "fps");
     expect_one_line({"render", music, "-o", path("x.mp4"), "--size", "big"}, 2, "picture size");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--backdrop", "red"}, 2, "#00ff00");
+    expect_one_line(
+        {"render", music, "-o", path("x.mov"), "--alpha", "--backdrop", "stage"}, 2, "--alpha");
     expect_one_line({"play", music, "--seed", "-1"}, 2, "seed");
     expect_one_line({"dance", music, "-o", path("x.bvh"), "--fps", "1e9"}, 2, "fps");
     expect_one_line({"render", music, "-o", path("x.mp4"), "--theme", "stgae"}, 2, "stage");
@@ -90,7 +93,9 @@ TEST_F(BadInput, outputs_that_cannot_be_written_leave_nothing) {
 TEST_F(BadInput, what_render_cannot_write_is_said_before_anything_is_read) {
     // The music is not there: whoever looked at it first would say so.
     const std::string music = path("missing.wav");
-    expect_one_line({"render", music, "-o", path("x.mov")}, 1, "unknown kind of film");
+    expect_one_line({"render", music, "-o", path("x.ogv")}, 1, "unknown kind of film");
+    expect_one_line({"render", music, "-o", path("x.mov")}, 1, "with alpha alone; use .mp4");
+    expect_one_line({"render", music, "-o", path("x.mp4"), "--alpha"}, 1, "has no alpha; use .mov");
     expect_one_line({"render", music, "-o", path("none/x.mkv")}, 1, "cannot be written");
     expect_one_line({"render", music, "-o", path("x.webm"), "--size", "99x100"}, 1, "even");
     EXPECT_EQ(files(), std::vector<std::string>{});

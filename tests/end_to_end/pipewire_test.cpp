@@ -92,5 +92,82 @@ TEST_F(OnPipeWire, play_follows_the_default_and_waits_while_the_server_is_away) 
     expect_good_end(raks);
 }
 
+/// What GStreamer gets of the stream "Dancer": pictures of 4 bytes a pixel.
+ProcessResult received(int pictures, const std::string& caps) {
+    ProcessPlan plan;
+    plan.command = {"timeout",
+                    "20",
+                    "gst-launch-1.0",
+                    "-q",
+                    "pipewiresrc",
+                    "target-object=Dancer",
+                    "num-buffers=" + std::to_string(pictures),
+                    "!",
+                    caps,
+                    "!",
+                    "fdsink"};
+    return run_process(plan);
+}
+
+class PicturesOnPipeWire : public OnPipeWire {
+ protected:
+    [[nodiscard]] ProcessPlan dancer() const {
+        return with_server({"play",
+                            path("drums.wav"),
+                            "--no-sound",
+                            "--headless",
+                            "--video-out",
+                            "pipewire:Dancer",
+                            "--backdrop",
+                            "transparent",
+                            "--size",
+                            "160x96"});
+    }
+    static constexpr std::size_t kPicture = 160 * 96 * 4;
+    static constexpr const char* kCaps = "video/x-raw,format=RGBA,width=160,height=96";
+};
+
+TEST_F(PicturesOnPipeWire, reach_others_with_their_alpha) {
+    CapturedProcess raks(dancer());
+    ASSERT_TRUE(raks.wait_for_output("the pictures are there as \"Dancer\"")) << raks.output().err;
+    const ProcessResult result = received(30, kCaps);
+    ASSERT_EQ(result.out.size(), 30 * kPicture) << result.err;
+    const std::string last = result.out.substr(29 * kPicture);
+    EXPECT_EQ(last.substr(0, 4), std::string(4, '\0'));
+    std::size_t opaque = 0;
+    for (std::size_t i = 0; i < kPicture; i += 4) {
+        const auto alpha = static_cast<unsigned char>(last[i + 3]);
+        opaque += alpha == 255 ? 1 : 0;
+        ASSERT_LE(static_cast<unsigned char>(last[i]), alpha + 1) << "not premultiplied";
+    }
+    EXPECT_GT(opaque, 200U);
+    EXPECT_NE(last, result.out.substr(0, kPicture)) << "nothing moves";
+    expect_good_end(raks);
+}
+
+TEST_F(PicturesOnPipeWire, outlive_readers_that_leave_or_want_another_size) {
+    CapturedProcess raks(dancer());
+    ASSERT_TRUE(raks.wait_for_output("the pictures are there as \"Dancer\"")) << raks.output().err;
+    EXPECT_EQ(received(5, kCaps).out.size(), 5 * kPicture);
+    EXPECT_TRUE(received(5, "video/x-raw,width=320").out.empty());
+    EXPECT_EQ(received(5, kCaps).out.size(), 5 * kPicture);
+    expect_good_end(raks);
+}
+
+TEST_F(PicturesOnPipeWire, go_on_when_the_server_is_back) {
+    CapturedProcess raks(dancer());
+    ASSERT_TRUE(raks.wait_for_output("the pictures are there as \"Dancer\"")) << raks.output().err;
+    EXPECT_EQ(received(5, kCaps).out.size(), 5 * kPicture);
+    pipewire_->kill();
+    ASSERT_TRUE(raks.wait_for_output("PipeWire is gone; no pictures go there"));
+    pipewire_->start();
+    ASSERT_TRUE(raks.wait_until([](const ProcessResult& result) {
+        const std::string_view said = result.err;
+        return said.find("the pictures are there", said.find("is gone")) != said.npos;
+    }));
+    EXPECT_EQ(received(5, kCaps).out.size(), 5 * kPicture);
+    expect_good_end(raks);
+}
+
 }  // namespace
 }  // namespace raks::test

@@ -45,6 +45,7 @@ PipeWireServer::PipeWireServer() {
     set_variable("SPA_PLUGIN_DIR", libraries / "spa-0.2");
     set_variable("PIPEWIRE_MODULE_DIR", libraries / "pipewire-0.3");
     set_variable("PIPEWIRE_CONFIG_DIR", config);
+    set_variable("GST_PLUGIN_PATH", libraries / "gstreamer-1.0");
     set_variable("WIREPLUMBER_MODULE_DIR", libraries / "wireplumber-0.4");
     set_variable("WIREPLUMBER_DATA_DIR", kRoot / "share" / "wireplumber");
     set_variable("WIREPLUMBER_CONFIG_DIR", kRoot / "share" / "wireplumber");

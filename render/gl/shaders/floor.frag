@@ -26,7 +26,7 @@ float ring_light(float radius) {
 void main() {
     float radius = length(world.xz);
     float fade = floor_fade(radius);
-    float lit = key_visibility(world) * mix(blob_shadow(world.xz), 1.0, 0.55);
+    float lit = mix(1.0, key_visibility(world), counts.w) * mix(blob_shadow(world.xz), 1.0, 0.55);
     float ring = ring_light(radius) * (1.0 - fade) * mix(0.55, 1.0, lit);
 
     vec2 pixel = gl_FragCoord.xy - picture.xy;

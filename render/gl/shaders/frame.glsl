@@ -28,7 +28,7 @@ layout(std140) uniform Frame {
     vec4 tone;                // exposure; 1 on the stage, 0 on a transparent backdrop; phase of the
                               // dither; pixels of 0.04 m at 1 m distance
     vec4 counts;              // of the blobs; 1: light is shown as it is, without the tone curve;
-                              // size of the floor, 1 for few dancers
+                              // size of the floor, 1 for few dancers; 1: the floor has shadows
 };
 
 // Soft shadows of all dancers.
@@ -74,7 +74,7 @@ float blob_shadow(vec2 at) {
         vec2 d = at - blobs[i].xy;
         left *= 1.0 - blobs[i].w * exp(-dot(d, d) * blobs[i].z);
     }
-    return max(left, 0.15);
+    return mix(1.0, max(left, 0.15), counts.w);
 }
 
 // Share of the floor that mirrors what is above it: the flatter the view, the more.

@@ -154,6 +154,18 @@ TEST(Settings, mangled_files_are_read_or_refused_in_one_line) {
     }
 }
 
+TEST(Backdrop, is_a_word_or_a_colour_of_six_digits) {
+    EXPECT_TRUE(parse_backdrop("stage")->is_stage);
+    EXPECT_FALSE(parse_backdrop("transparent")->is_stage);
+    EXPECT_FALSE(parse_backdrop("transparent")->key);
+    const std::array<std::uint8_t, 3> green = {0, 255, 16};
+    EXPECT_EQ(parse_backdrop("#00ff10")->key, green);
+    EXPECT_EQ(parse_backdrop("#00FF10")->key, green);
+    for (const char* bad : {"", "green", "#00ff", "00ff00", "#00ff000", "#00gg00", "#-0ff00"}) {
+        EXPECT_FALSE(parse_backdrop(bad)) << bad;
+    }
+}
+
 TEST(PictureSize, takes_two_numbers_only) {
     EXPECT_EQ(parse_size("640x360")->width, 640);
     EXPECT_EQ(parse_size("640x360")->height, 360);

@@ -111,5 +111,34 @@ TEST_F(Offscreen, a_broken_shader_is_named_in_the_error) {
     EXPECT_EQ(missing.error().message, "shader none: shader file nothing.vert is not built in");
 }
 
+TEST_F(Offscreen, a_picture_that_is_read_while_others_are_drawn_is_the_one_before) {
+    for (const int samples : {1, 4}) {
+        OffscreenTarget target = make_target(7, 5, samples);
+        std::vector<std::uint8_t> rgba(7 * 5 * 4);
+        EXPECT_FALSE(target.finish_reading(rgba)) << "nothing was read";
+        for (int i = 1; i <= 3; ++i) {
+            glBindFramebuffer(GL_FRAMEBUFFER, target.frame().framebuffer);
+            glClearColor(static_cast<float>(i) / 255.0F, 0.0F, 1.0F, 0.0F);
+            glClear(GL_COLOR_BUFFER_BIT);
+            // The upper left pixel is another.
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(0, 4, 1, 1);
+            glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+            glClear(GL_COLOR_BUFFER_BIT);
+            glDisable(GL_SCISSOR_TEST);
+            target.begin_reading();
+            glClearColor(0.5F, 0.5F, 0.5F, 0.5F);
+            glClear(GL_COLOR_BUFFER_BIT);
+            ASSERT_TRUE(target.finish_reading(rgba));
+            EXPECT_EQ(rgba[0], 255);
+            EXPECT_EQ(rgba[4], i);
+            EXPECT_EQ(rgba[6], 255);
+            EXPECT_EQ(rgba[7], 0);
+        }
+        rgba.pop_back();
+        EXPECT_FALSE(target.finish_reading(rgba));
+    }
+}
+
 }  // namespace
 }  // namespace raks::render

@@ -77,10 +77,11 @@ TEST(VideoWriter, faults_of_the_options_are_one_line_that_says_what_to_do) {
         std::string message;
     };
     const std::vector<Row> rows = {
-        {".mov",
+        {".ogv",
          {},
-         ": unknown kind of film \".mov\"; known: .mp4, .mkv, .webm, .avi, or a folder for "
-         "numbered .png pictures"},
+         ": unknown kind of film \".ogv\"; known: .mp4, .mkv, .webm, .avi, with alpha .mov, or a "
+         "folder for numbered .png pictures"},
+        {".mov", {}, ": a .mov is written with alpha alone; use .mp4"},
         {".mp4",
          {.width = 641, .height = 360},
          ": a film of 641x360 cannot be encoded; sides must be even: use 640x360"},
