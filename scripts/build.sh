@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed and builds Raks in build/release: the programs that dance, or, with `learn`,
-# also those of `raks train` and `raks capture`. Says on stderr how far it is.
-#   scripts/build.sh [learn]
+# also those of `raks train` and `raks capture`; with `stream`, pictures go to other programs through
+# PipeWire, too. Says on stderr how far it is.
+#   scripts/build.sh [learn|stream]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,8 +18,14 @@ case "${1:-}" in
         lists+=(learn)
         chosen=(-DRAKS_TRAIN=ON -DRAKS_CAPTURE=ON)
         [ -e build/release/CMakeCache.txt ] || chosen+=(-DRAKS_TESTS=OFF) ;;
+    stream)
+        targets+=(raks-pipewire)
+        lists+=(stream)
+        chosen=(-DRAKS_PIPEWIRE=ON)
+        [ -e build/release/CMakeCache.txt ] ||
+            chosen+=(-DRAKS_TESTS=OFF -DRAKS_TRAIN=OFF -DRAKS_CAPTURE=OFF) ;;
     *)
-        echo "usage: scripts/build.sh [learn]" >&2
+        echo "usage: scripts/build.sh [learn|stream]" >&2
         exit 2 ;;
 esac
 scripts/setup.sh "${lists[@]}"

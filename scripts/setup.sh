@@ -2,7 +2,7 @@
 # Installs the Debian 12 packages of the lists that are asked for; without a name those that building
 # and dancing need. Idempotent: when all is there it asks dpkg once and leaves. Uses sudo when not
 # root. It never removes or replaces a package.
-#   scripts/setup.sh [build] [run] [learn] [test] [ci] [fuzz] [rtsan] [soundfonts]
+#   scripts/setup.sh [build] [run] [learn] [stream] [test] [ci] [fuzz] [rtsan] [soundfonts]
 #   scripts/setup.sh --list [LIST...]    prints the packages of the lists and installs nothing
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,7 +13,7 @@ declare -A lists=(
         portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libdbus-1-dev libsndfile1-dev libspeexdsp-dev
         libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
-        libx11-dev libpipewire-0.3-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
+        libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
         libmeshoptimizer-dev libassimp-dev libdraco-dev nlohmann-json3-dev libsimdjson-dev
         libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev"
     # OpenGL and letters.
@@ -21,6 +21,8 @@ declare -A lists=(
     # raks-train (MIDI, matrices) and raks-capture (cameras).
     [learn]="libfluidsynth-dev libopenblas-dev libopencv-calib3d-dev libopencv-imgproc-dev
         libopencv-contrib-dev libceres-dev"
+    # Pictures through PipeWire: play and live --video-out pipewire.
+    [stream]="libpipewire-0.3-dev"
     # What the tests need that open no window and no sound device.
     [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display and checkers of code: all that CI runs.
@@ -52,7 +54,7 @@ fi
 packages=()
 for name in "$@"; do
     if [ -z "${lists[$name]:-}" ]; then
-        say "there is no list \"$name\"; the lists are build, run, learn, test, ci, fuzz, rtsan, soundfonts"
+        say "there is no list \"$name\"; the lists are build, run, learn, stream, test, ci, fuzz, rtsan, soundfonts"
         exit 2
     fi
     read -r -d '' -a words <<<"${lists[$name]}" || true

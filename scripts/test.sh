@@ -27,7 +27,7 @@ quietly() {
 }
 
 if [ "$mode" = --sanitizers ]; then
-    scripts/setup.sh build run learn test ci
+    scripts/setup.sh build run learn stream test ci
     exec scripts/sanitize.sh all
 fi
 

@@ -93,7 +93,7 @@ class PulseStream final : public DeviceStream {
     void look_at_clock();
     void look_at_capture();
     void note_heard_after(Nanos now) noexcept;
-    void note_behind_server() noexcept;
+    void note_sink(Nanos held) noexcept;
     // Our own.
     void play_blocks();
     void record_blocks();
@@ -119,7 +119,7 @@ class PulseStream final : public DeviceStream {
     LatestValue<Played> played_;
     // Relaxed: each is a value by itself.
     std::atomic<std::int64_t> heard_after_ns_{0};
-    std::atomic<std::int64_t> behind_server_ns_{0};
+    std::atomic<std::int64_t> behind_server_ns_{0};  // what the sink holds
     std::atomic<bool> is_stopping_{false};
     std::atomic<bool> is_dead_{false};
     std::mutex events_mutex_;
@@ -354,7 +354,11 @@ void PulseStream::look_at_clock() {
         const Nanos ahead = is_negative != 0 ? Nanos(0) : Nanos(std::chrono::microseconds(latency));
         played_.write(
             {HostTime(HostClock::now()), std::min<Nanos>(ahead, kMostLatency), written_, true});
-        note_behind_server();
+        if (const pa_timing_info* const info = pa_stream_get_timing_info(stream_.get());
+            info != nullptr && pa_timeval_cmp(&info->timestamp, &looked_at_) != 0) {
+            looked_at_ = info->timestamp;
+            note_sink(std::chrono::microseconds(info->sink_usec));
+        }
     }
 }
 
@@ -369,8 +373,8 @@ void PulseStream::look_at_capture() {
         return;
     }
     looked_at_ = info->timestamp;
-    note_behind_server();
     const auto usec = [](pa_usec_t span) { return Nanos(std::chrono::microseconds(span)); };
+    note_sink(usec(info->sink_usec));
     const HostTime said = HostClock::now() - usec(pa_timeval_age(&info->timestamp));
     // An answer that is older than the newest sample tells of one before it.
     if (said >= read_at_) {
@@ -378,17 +382,14 @@ void PulseStream::look_at_capture() {
     }
 }
 
-// How much the sink holds goes up and down with each of its periods.
-void PulseStream::note_behind_server() noexcept {
-    constexpr int kSlow = 8;
-    const pa_timing_info* const info = pa_stream_get_timing_info(stream_.get());
-    if (info == nullptr) {
-        return;
-    }
-    const auto held = std::min<Nanos>(std::chrono::microseconds(info->sink_usec), kMostLatency);
+// A sink takes in steps, so that what it holds goes up and down; the line through the ends of the
+// steps is where that is at its greatest. Answers are few and find the greatest seldom; another
+// sink may hold much less.
+void PulseStream::note_sink(Nanos held) noexcept {
+    constexpr int kSlow = 32;
     const Nanos before = behind_server();
-    const Nanos step = before == Nanos(0) ? held : (held - before) / kSlow;
-    behind_server_ns_.store((before + step).count(), std::memory_order_relaxed);
+    const Nanos next = held > before || 2 * held < before ? held : before + (held - before) / kSlow;
+    behind_server_ns_.store(std::min<Nanos>(next, kMostLatency).count(), std::memory_order_relaxed);
 }
 
 // The mean of the last few answers; two far off in a row stand for another latency.
