@@ -32,7 +32,7 @@ if [ "$mode" = --sanitizers ]; then
 fi
 
 lists=(build run learn test)
-[ "$mode" != --all ] || lists+=(ci)
+[ "$mode" != --all ] || lists+=(stream ci)
 scripts/setup.sh "${lists[@]}"
 if [ "$mode" = --all ]; then
     # Without the network the tests on PipeWire are skipped.

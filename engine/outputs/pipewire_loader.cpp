@@ -12,7 +12,7 @@ Expected<std::unique_ptr<VideoSink>> open_pipewire_sink(const std::string& name,
             "builds it with");
     }
     static const Expected<void*> open =
-        load_program_part("raks-pipewire.so", "lib/raks", "RAKS_PIPEWIRE_MODULE", kOpenPipewire);
+        load_program_part(kModule, "lib/raks", "RAKS_PIPEWIRE_MODULE", kOpenPipewire);
     if (!open) {
         return fail("--video-out pipewire: " + open.error().message);
     }
