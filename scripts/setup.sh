@@ -26,7 +26,7 @@ declare -A lists=(
     # What the tests need that open no window and no sound device.
     [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display and checkers of code: all that CI runs.
-    [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils
+    [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils picom
         gstreamer1.0-tools gstreamer1.0-plugins-base
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
     # scripts/fuzz.sh and scripts/rtsan.sh

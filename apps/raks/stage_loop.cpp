@@ -115,6 +115,9 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
         if (const std::string notice(window_->notice()); !notice.empty()) {
             say(notice);
         }
+        if (look.scene.backdrop == render::Backdrop::transparent && !window_->is_transparent()) {
+            say("no compositor runs: what is transparent is black in the window");
+        }
     } else if (video_) {
         auto context = render::OffscreenContext::create();
         if (!context) {

@@ -122,6 +122,8 @@ class WindowLoop {
     void show(const std::string& line);
     /// A line for people when the renderer has changed its quality, with the reason; else empty.
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
+    /// Whether what is transparent shows what lies behind the window: a compositor runs.
+    [[nodiscard]] bool is_transparent() const { return window_.is_transparent(); }
     /// The scene that is drawn; contents may change it between two pictures.
     [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
 

@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "tests/end_to_end/window.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/run_program.hpp"
 
@@ -99,6 +100,78 @@ TEST_F(Keys, s_draws_the_stick_figure_and_the_avatar_again) {
     EXPECT_TRUE(shows_other_than(avatar));
     press({"s"});
     EXPECT_TRUE(shows_again(avatar));
+}
+
+std::array<int, 3> corner(const std::string& picture) {
+    const auto byte = [&](std::size_t at) { return int{static_cast<unsigned char>(picture[at])}; };
+    return {byte(0), byte(1), byte(2)};
+}
+
+// No compositor runs: what is transparent is black, and that is said.
+TEST_F(Keys, x_goes_from_the_stage_to_nothing_to_a_key_colour_and_back) {
+    const std::string stage = start_and_pause("--no-overlay");
+    press({"x"});
+    EXPECT_TRUE(raks_->wait_for_output("transparent, but no compositor runs: black is seen"));
+    EXPECT_EQ(corner(still_picture()), (std::array{0, 0, 0}));
+    press({"x"});
+    EXPECT_TRUE(raks_->wait_for_output("backdrop: key colour #00ff00"));
+    EXPECT_EQ(corner(still_picture()), (std::array{0, 255, 0}));
+    press({"x"});
+    EXPECT_TRUE(raks_->wait_for_output("backdrop: stage"));
+    EXPECT_TRUE(shows_again(stage));
+}
+
+TEST_F(Keys, w_and_y_take_the_frame_away_and_keep_the_window_on_top) {
+    start("--no-overlay");
+    for (const auto& [key, said] : {std::pair{"w", "the window has no frame (W: give it back)"},
+                                    {"w", "the window has its frame"},
+                                    {"y", "the window stays over all others (Y: no more)"},
+                                    {"y", "other windows may lie over this one"}}) {
+        press({key});
+        EXPECT_TRUE(raks_->wait_for_output(said)) << key;
+    }
+}
+
+// Premultiplied colours are laid over what is behind.
+TEST_F(Keys, a_transparent_window_shows_what_lies_behind_it) {
+    run_program({"convert", "-size", "960x540", "xc:#2060c0", path("blue.png")});
+    const ChildProcess behind({"display", "-geometry", "960x540+0+0", path("blue.png")},
+                              "/dev/null");
+    const ChildProcess compositor({"picom", "--backend", "xrender"}, "/dev/null");
+    // Without the frame that `display` draws.
+    const auto screen_now = [] {
+        return run_program(
+            {"import", "-window", "root", "-crop", "940x520+10+10", "-depth", "8", "rgb:-"});
+    };
+    const std::array blue = {0x20, 0x60, 0xC0};
+    for (int looks = 0; looks < 100 && corner(screen_now()) != blue; ++looks) {
+    }
+    // A window that opens before the compositor runs stays opaque.
+    for (int tries = 0; tries < 20; ++tries) {
+        start({"play",
+               "--no-sound",
+               "--no-overlay",
+               "--backdrop",
+               "transparent",
+               "--borderless",
+               "--no-shadow",
+               "--no-rings"});
+        if (count_of("no compositor", raks_->output().err) == 0) {
+            break;
+        }
+        raks_.reset();
+    }
+    ASSERT_TRUE(raks_) << "no compositor";
+    ASSERT_TRUE(shows_dancing());
+    const std::string screen = screen_now();
+    ASSERT_EQ(screen.size(), 940U * 520U * 3U);
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < screen.size(); i += 3) {
+        others += corner(screen.substr(i, 3)) != blue ? 1U : 0U;
+    }
+    EXPECT_EQ(corner(screen), blue);
+    EXPECT_GT(others, 1000U) << "nobody dances";
+    EXPECT_LT(others, screen.size() / 3 / 5) << "it is not transparent everywhere";
 }
 
 TEST_F(Keys, c_and_home_put_a_turned_camera_back) {
