@@ -59,6 +59,10 @@ class VideoShow {
               std::unique_ptr<engine::VideoOutput> output);
 
     void pass_on();
+    void draw_picture(HostTime due,
+                      engine::LiveGraph& graph,
+                      const engine::WindowView& view,
+                      const std::function<void(render::OverlayState&)>& describe);
     [[nodiscard]] bool make_target(int samples);
     [[nodiscard]] engine::DancerBodies& bodies_as(const engine::DancerBodies& shown);
 
