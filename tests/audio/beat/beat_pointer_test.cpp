@@ -67,17 +67,16 @@ TEST(PointerStates, a_told_tempo_weakens_what_is_easily_taken_for_it_and_nothing
     const auto share = [](const PointerStates& states, const PointerStates::Tempo& tempo) {
         return static_cast<double>(states.prior()[tempo.state(0)]);
     };
-    const auto of_100 = std::find_if(tempi.begin(), tempi.end(), [](const auto& tempo) {
-        return tempo.hops <= 60;
-    });
+    const auto of_100 = std::find_if(
+        tempi.begin(), tempi.end(), [](const auto& tempo) { return tempo.hops <= 60; });
     ASSERT_NE(of_100, tempi.end());
     // How often each tempo is where 100 BPM is, compared with how often it was.
     for (std::size_t i = 0; i < tempi.size(); ++i) {
         const double bpm = hops_of(1.0) / tempi[i].hops;
         const double change = share(told, tempi[i]) / share(plain, tempi[i]) /
                               (share(told, *of_100) / share(plain, *of_100));
-        const double stays = std::accumulate(
-            told.transitions(i).begin(), told.transitions(i).end(), 0.0);
+        const double stays =
+            std::accumulate(told.transitions(i).begin(), told.transitions(i).end(), 0.0);
         bool is_mistaken = false;
         for (const double ratio : {0.5, 2.0 / 3.0, 0.75, 4.0 / 3.0, 1.5, 2.0}) {
             is_mistaken = is_mistaken || std::abs(std::log(bpm / (100.0 * ratio))) < 0.05;
