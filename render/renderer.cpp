@@ -41,9 +41,11 @@ std::string text_of(const GLubyte* text) {
 void keep_freed_memory() noexcept {
 #ifdef __GLIBC__
     constexpr int kMebibyte = 1 << 20;
+    // NOLINTBEGIN(concurrency-mt-unsafe): it takes the allocator's own lock
     mallopt(M_TRIM_THRESHOLD, 32 * kMebibyte);
     // Setting one ends the adaptation of both.
     mallopt(M_MMAP_THRESHOLD, 16 * kMebibyte);
+    // NOLINTEND(concurrency-mt-unsafe)
 #endif
 }
 

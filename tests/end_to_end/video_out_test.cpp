@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 
 namespace raks::test {

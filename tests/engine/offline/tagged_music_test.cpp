@@ -42,7 +42,7 @@ class TaggedMusic : public ::testing::Test {
     [[nodiscard]] fs::path tagged(const fs::path& wav,
                                   const std::string& name,
                                   const std::string& options) const {
-        const fs::path out = folder_ / name;
+        fs::path out = folder_ / name;
         const std::string command = "ffmpeg -nostdin -loglevel error -y -i '" + wav.string() +
                                     "' " + options + " '" + out.string() + "'";
         EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(concurrency-mt-unsafe)

@@ -11,6 +11,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
@@ -109,13 +110,15 @@ TEST_F(NamedPipe, a_slow_reader_loses_whole_pictures_and_nothing_else) {
 
 TEST_F(NamedPipe, y4m_begins_with_its_head_for_each_reader) {
     const auto sink = this->sink(kTiny, PixelForm::y4m);
+    const std::string picture =
+        "FRAME\n" + std::string(6, '\xEB') + std::string(12, '\x80');  // white
+    std::string expected = "YUV4MPEG2 W3 H2 F30:1 Ip A1:1 C444\n";
+    expected.append(picture).append(picture);
     for (int i = 0; i < 2; ++i) {
         Descriptor reading = reader();
         sink->send(plain(kTiny, 255));
         sink->send(plain(kTiny, 255));
-        const std::string picture =
-            "FRAME\n" + std::string(6, '\xEB') + std::string(12, '\x80');  // white
-        EXPECT_EQ(taken(reading), "YUV4MPEG2 W3 H2 F30:1 Ip A1:1 C444\n" + picture + picture);
+        EXPECT_EQ(taken(reading), expected);
         reading.close();
         sink->send(plain(kTiny, 255));  // that nobody reads shows now
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 160;
 constexpr int kHeight = 96;
-constexpr VideoOptions kSmall{.width = kWidth, .height = kHeight};
+const VideoOptions kSmall{.width = kWidth, .height = kHeight};
 
 /// A film of noise over a tone: `pictures` pictures, 30 a second.
 Expected<void> write_noise(const std::filesystem::path& path,
