@@ -38,6 +38,7 @@ struct VideoArguments {
     std::vector<engine::VideoWish> wishes;  ///< none: nowhere
     double offset_ms = 0.0;                 ///< pictures later than the sound by so much
     bool has_overlay = false;               ///< the overlay goes there, too
+    Path record;                            ///< film of the show; empty: none from the start
 };
 
 /// Arguments of `raks play`.

@@ -105,6 +105,8 @@ void add_video_options(CLI::App& app,
             ->check(one_of({"rgba", "y4m"}));
     app.add_option("--video-offset", video.offset_ms, "milliseconds, pictures later than the sound")
         ->check(in_range(-1000.0, 1000.0));
+    app.add_option("--record", video.record, "film the show while it runs: X.mp4, X.mkv")
+        ->type_name("FILE");
     const CLI::Option* const overlay = app.get_option("--overlay");
     app.parse_complete_callback([&video, &outputs, &settings, form, overlay] {
         video.has_overlay = overlay->count() > 0 && settings.overlay;

@@ -13,6 +13,7 @@
 #include "base/locked_memory.hpp"
 #include "engine/live/loss_words.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/user_folders.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/overlay/text_format.hpp"
 
@@ -105,6 +106,11 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
         }
         video_ = std::move(*video);
     }
+    if (!options_.video.record.empty()) {
+        if (auto started = start_recording(options_.video.record); !started) {
+            return started;
+        }
+    }
     if (!options_.is_headless) {
         auto window = open_window(settings_, look, options_);
         if (!window) {
@@ -118,7 +124,7 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
         if (look.scene.backdrop == render::Backdrop::transparent && !window_->is_transparent()) {
             say("no compositor runs: what is transparent is black in the window");
         }
-    } else if (video_) {
+    } else if (video_ || recorder_) {
         auto context = render::OffscreenContext::create();
         if (!context) {
             return fail(context.error());
@@ -145,6 +151,13 @@ StageLoop::StageLoop(const engine::Settings& settings,
       live_actions_(static_cast<float>(settings.volume),
                     [this](const std::string& line) { say(line); }),
       formation_(formations.name()) {}
+
+// The graph has gone before.
+StageLoop::~StageLoop() {
+    if (recorder_) {
+        say(recorder_->stop());
+    }
+}
 
 bool StageLoop::is_end_wanted() {
     return is_stop_requested() || (window_ && window_->is_end_wanted());
@@ -182,6 +195,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     if (video_) {
         video_->begin_anew();
     }
+    pass_sound_on();
     keep_memory();
     outputs_->follow(graph.feed());
     engine::GraphTarget target(graph);
@@ -248,6 +262,95 @@ void StageLoop::draw_elsewhere(const engine::WindowView& view) {
             describe(graph_->stage(), overlay);
         });
     }
+    record_picture(view);
+}
+
+// As outputs have them: the moment that passes the sound server, so that the film and what others
+// record are alike.
+void StageLoop::record_picture(const engine::WindowView& view) {
+    if (!recorder_) {
+        return;
+    }
+    if (std::exchange(is_reading_recorded_, false)) {
+        if (const auto picture = recorded_stage_->picture()) {
+            recorder_->give(*picture);
+        }
+    }
+    const engine::StageState& stage = graph_->stage();
+    const auto moment = recorder_->wanted(
+        graph_->passing_at(std::chrono::time_point_cast<Nanos>(HostClock::now())));
+    if (!moment || stage.published_at_ns == 0) {
+        return;
+    }
+    FilmedStage::Describe describes;
+    if (options_.video.has_overlay) {
+        describes = [this](render::OverlayState& overlay) { describe(graph_->stage(), overlay); };
+    }
+    if (const auto drawn = recorded_stage_->draw(stage, *moment, view, describes); !drawn) {
+        say(drawn.error().message);
+        stop_recording();
+        return;
+    }
+    is_reading_recorded_ = true;
+}
+
+// The sound of the present graph goes to the recorder, if there is one.
+void StageLoop::pass_sound_on() {
+    if (recorder_ && graph_ != nullptr) {
+        recorded_stage_->begin_anew();
+        tap_->set_source(++source_number_);
+        recorder_->follow(source_number_);
+        graph_->analysis().set_tap(tap_.get());
+    }
+}
+
+Expected<void> StageLoop::start_recording(const Path& file) {
+    const auto size = engine::parse_size(settings_.size);
+    if (!size) {
+        return fail(size.error());
+    }
+    if (!tap_) {
+        tap_ = std::make_unique<engine::SoundTap>();
+    }
+    render::VideoOptions options;
+    options.width = size->width;
+    options.height = size->height;
+    options.rate = render::FrameRate::nearest(settings_.fps);
+    // Beside drawing and playing, encoding must be quick.
+    options.quality =
+        settings_.quality == "high" ? render::VideoQuality::normal : render::VideoQuality::draft;
+    options.has_alpha =
+        settings_.backdrop == "transparent" && render::VideoWriter::keeps_alpha(file);
+    auto recorder = Recorder::start(file, options, *tap_);
+    if (!recorder) {
+        return fail(recorder.error());
+    }
+    recorder_ = std::move(*recorder);
+    recorded_stage_.emplace(settings_, *size, dances_);
+    is_reading_recorded_ = false;
+    return {};
+}
+
+void StageLoop::toggle_recording() {
+    if (recorder_) {
+        stop_recording();
+        return;
+    }
+    const Path file = engine::dated_file(engine::videos_folder(), ".mp4");
+    if (const auto started = start_recording(file); !started) {
+        say(started.error().message);
+        return;
+    }
+    pass_sound_on();
+    say("recording " + file.string() + " (F9: stop)");
+}
+
+void StageLoop::stop_recording() {
+    if (recorder_) {
+        graph_->analysis().set_tap(nullptr);
+        say(recorder_->stop());
+        recorder_.reset();
+    }
 }
 
 // Actions of this class, beside those of LiveActions and of the window.
@@ -258,6 +361,9 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
     actions.on(Action::keep_dance, [this](double) { keep_dance(); });
     actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
     actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
+    if (window_) {
+        actions.on(Action::record, [this](double) { toggle_recording(); });
+    }
 }
 
 // What a file has, and not an input.
@@ -315,6 +421,10 @@ void StageLoop::advance(double /*seconds*/) {
         for (const std::string& line : video_->take_lines()) {
             say(line);
         }
+    }
+    if (const auto trouble = recorder_ ? recorder_->take_trouble() : std::nullopt) {
+        say(*trouble);
+        recorder_.reset();
     }
     if (source_.each_picture) {
         source_.each_picture();

@@ -224,6 +224,7 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "save a picture",
      {},
      {{{key_of(U'p'), "P"}, {Key::f12, "F12"}}}},
+    {Action::record, "record", ActionGroup::window, "record a film, stop", {}, {{{Key::f9, "F9"}}}},
     {Action::toggle_help,
      "help",
      ActionGroup::window,

@@ -56,11 +56,12 @@ enum class Action : std::uint8_t {
     toggle_border,
     toggle_on_top,
     screenshot,
+    record,
     toggle_help,
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 34;
+inline constexpr std::size_t kActionCount = 35;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

@@ -65,6 +65,14 @@ float AnalysisStage::level_dbfs(HostTime now) const noexcept RAKS_NONBLOCKING {
     return std::max(level_dbfs_.load(std::memory_order_relaxed) - fall, kFloorDbfs);
 }
 
+void AnalysisStage::pass_on(std::span<const float> interleaved,
+                            std::size_t channels) noexcept RAKS_NONBLOCKING {
+    // acquire: pairs with the release in set_tap().
+    if (SoundTap* const tap = tap_.load(std::memory_order_acquire)) {
+        tap->put(taken_until(), rate_, interleaved, channels);
+    }
+}
+
 void AnalysisStage::mark_clock(StreamTime stream, HostTime host) noexcept RAKS_NONBLOCKING {
     clock_map_.update(stream, host);
     publish_clock();

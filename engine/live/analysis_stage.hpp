@@ -16,6 +16,7 @@
 #include "engine/live/clock_map.hpp"
 #include "engine/live/music_feed.hpp"
 #include "engine/live/planned_states.hpp"
+#include "engine/live/sound_tap.hpp"
 #include "engine/live/timing.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 
@@ -36,6 +37,13 @@ class AnalysisStage {
 
     /// *audio* Takes the next block of mono samples. Real-time: yes.
     void analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKING;
+
+    /// *audio* The same sound with all its channels, before analyze() takes it, for who keeps it.
+    /// Real-time: yes.
+    void pass_on(std::span<const float> interleaved,
+                 std::size_t channels) noexcept RAKS_NONBLOCKING;
+    /// Who keeps it, from now on; null: nobody. It must outlive this object.
+    void set_tap(SoundTap* tap) noexcept { tap_.store(tap, std::memory_order_release); }
 
     /// *audio* The sample of stream time `stream` passed the device at `host` (CLOCK_MONOTONIC).
     /// Real-time: yes.
@@ -115,6 +123,7 @@ class AnalysisStage {
     LatestValue<ClockLine> clock_line_;
     std::shared_ptr<MusicFeed> feed_ = std::make_shared<MusicFeed>();
     TimingHistogram callback_times_;
+    std::atomic<SoundTap*> tap_{nullptr};
     std::atomic<std::int64_t> frames_taken_{0};
     std::atomic<float> level_dbfs_{-120.0F};  // at level_at_ns_
     std::atomic<std::int64_t> level_at_ns_{0};

@@ -95,7 +95,9 @@ void LiveInput::on_input(std::span<const float> interleaved,
     for (std::size_t at = 0; at < frames; at += kMixFrames) {
         const std::size_t count = std::min(kMixFrames, frames - at);
         const std::span<float> mono = std::span(mono_).first(count);
-        audio::downmix_to_mono(interleaved.subspan(at * stride, count * stride), stride, mono);
+        const std::span<const float> part = interleaved.subspan(at * stride, count * stride);
+        analysis_->pass_on(part, stride);
+        audio::downmix_to_mono(part, stride, mono);
         analysis_->analyze(mono);
     }
     last_entered_ = last_sound_ = time.entered;

@@ -40,6 +40,7 @@ void Playback::on_pulled(const audio::PulledAudio& pulled,
     }
     analysis_->planned().set_place(analysis_->taken_until(), file_rate().time_of(pulled.position));
     const std::span<float> mono = std::span(mono_).first(stereo.size() / 2);
+    analysis_->pass_on(stereo, 2);
     audio::hear_mono(stereo, 2, pulled.hearing, mono);
     analysis_->analyze(mono);
 }

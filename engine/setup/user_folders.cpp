@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <system_error>
 
@@ -103,7 +104,10 @@ Expected<fs::path> kept_folder(const fs::path& name) {
     return made ? std::move(folder) : fail(std::move(made.error()));
 }
 
-fs::path pictures_folder() {
+namespace {
+
+// A person's folder of one kind: as user-dirs.dirs names it, else as desktops call it.
+fs::path folder_of(std::string_view name, const char* usual_name) {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing calls setenv
     const char* const variable = std::getenv("HOME");
     const fs::path home = variable != nullptr && *variable == '/' ? variable : "";
@@ -113,13 +117,40 @@ fs::path pictures_folder() {
     if (!settings.empty()) {
         const fs::path file = settings.parent_path().parent_path() / "user-dirs.dirs";
         const auto text = read_file(file, kMostBytes);
-        fs::path folder = user_folder_in(text.value_or(""), "XDG_PICTURES_DIR", home);
+        fs::path folder = user_folder_in(text.value_or(""), name, home);
         if (!folder.empty() && fs::is_directory(folder, ignored)) {
             return folder;
         }
     }
-    const fs::path usual = home / "Pictures";
+    const fs::path usual = home / usual_name;
     return !home.empty() && fs::is_directory(usual, ignored) ? usual : fs::path();
+}
+
+}  // namespace
+
+fs::path pictures_folder() { return folder_of("XDG_PICTURES_DIR", "Pictures"); }
+
+fs::path videos_folder() { return folder_of("XDG_VIDEOS_DIR", "Videos"); }
+
+fs::path dated_file(const fs::path& folder, std::string_view ending) {
+    const std::time_t now = std::time(nullptr);
+    // localtime_r: localtime() would share its result with other threads.
+    std::tm local{};
+    localtime_r(&now, &local);
+    const std::string stem = fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}",
+                                         local.tm_year + 1900,
+                                         local.tm_mon + 1,
+                                         local.tm_mday,
+                                         local.tm_hour,
+                                         local.tm_min,
+                                         local.tm_sec);
+    fs::path path = folder / fmt::format("{}{}", stem, ending);
+    std::error_code error;
+    // Several within one second get -2, -3 and so on.
+    for (int i = 2; fs::exists(path, error); ++i) {
+        path = folder / fmt::format("{}-{}{}", stem, i, ending);
+    }
+    return path;
 }
 
 }  // namespace raks::engine

@@ -29,6 +29,14 @@ namespace raks::engine {
 /// that is there; else the current folder, as an empty path. The folder exists. Threads: main.
 [[nodiscard]] std::filesystem::path pictures_folder();
 
+/// The same for films: `xdg-user-dir VIDEOS`, ~/Videos.
+[[nodiscard]] std::filesystem::path videos_folder();
+
+/// A file name from the local time that nobody has yet: "raks-20260131-235959.png" in `folder`;
+/// with a number appended when a file of that name exists there. `ending`: ".png". Threads: main.
+[[nodiscard]] std::filesystem::path dated_file(const std::filesystem::path& folder,
+                                               std::string_view ending);
+
 /// The value of a line such as XDG_PICTURES_DIR="$HOME/Pictures" of a user-dirs.dirs file; the last
 /// one counts. Empty: there is none, or it is neither absolute nor below $HOME.
 [[nodiscard]] std::filesystem::path user_folder_in(std::string_view user_dirs,

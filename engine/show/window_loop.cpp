@@ -5,12 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -61,30 +59,6 @@ void move_camera(render::Camera& camera, const render::MouseDragEvent& drag) {
 void move_camera(render::Camera& camera, const render::ScrollEvent& scroll) {
     constexpr float kZoomPerStep = 0.9F;
     camera.zoom(std::pow(kZoomPerStep, scroll.dy));
-}
-
-/// A file name from the local time, "raks-20260131-235959.png", in the folder of pictures; with a
-/// number appended when a file of that name exists there.
-std::filesystem::path screenshot_path() {
-    const std::filesystem::path folder = pictures_folder();
-    const std::time_t now = std::time(nullptr);
-    // localtime_r: localtime() would share its result with other threads.
-    std::tm local{};
-    localtime_r(&now, &local);
-    const std::string stem = fmt::format("raks-{:04}{:02}{:02}-{:02}{:02}{:02}",
-                                         local.tm_year + 1900,
-                                         local.tm_mon + 1,
-                                         local.tm_mday,
-                                         local.tm_hour,
-                                         local.tm_min,
-                                         local.tm_sec);
-    std::filesystem::path path = folder / (stem + ".png");
-    std::error_code error;
-    // Several pictures within one second get -2, -3 and so on.
-    for (int i = 2; std::filesystem::exists(path, error); ++i) {
-        path = folder / fmt::format("{}-{}.png", stem, i);
-    }
-    return path;
 }
 
 /// Writes what was drawn to `frame` as a PNG file. An OpenGL context must be current. Errors: the
@@ -345,7 +319,7 @@ void WindowLoop::count_picture() {
 }
 
 void WindowLoop::save_screenshot() {
-    const std::filesystem::path path = screenshot_path();
+    const std::filesystem::path path = dated_file(pictures_folder(), ".png");
     const auto done = write_screenshot(path, window_.frame());
     say(done ? "screenshot saved: " + path.string() : done.error().message);
 }

@@ -190,6 +190,10 @@ Expected<PictureEncoder> PictureEncoder::create(FilmForm form,
         codec.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     }
     choice.set(codec, row_of(options.quality));
+    if (options.is_live) {
+        // x264 holds nothing back; others do not know it.
+        av_opt_set(codec.priv_data, "tune", "zerolatency", 0);
+    }
     if (const int error = avcodec_open2(&codec, kind, nullptr); error < 0) {
         return fail(std::string(kind->name) + " does not start: " + av_reason(error));
     }

@@ -2,14 +2,14 @@
 
 #include "base/pending_file.hpp"
 
-extern "C" __attribute__((visibility("default"))) void raks_open_film_4(
+extern "C" __attribute__((visibility("default"))) void raks_open_film_5(
     const std::filesystem::path& path,
     raks::render::FilmForm form,
     const raks::render::VideoOptions& options,
     raks::PendingFiles& files,
     raks::render::OpenedFilm& film);
 
-void raks_open_film_4(const std::filesystem::path& path,
+void raks_open_film_5(const std::filesystem::path& path,
                       raks::render::FilmForm form,
                       const raks::render::VideoOptions& options,
                       raks::PendingFiles& files,

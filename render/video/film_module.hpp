@@ -19,6 +19,6 @@ using OpenFilm = void (*)(const std::filesystem::path& path,
                           PendingFiles& files,
                           OpenedFilm& film);
 /// Under which the module has it. Of another build: another name.
-inline constexpr const char* kOpenFilm = "raks_open_film_4";
+inline constexpr const char* kOpenFilm = "raks_open_film_5";
 
 }  // namespace raks::render

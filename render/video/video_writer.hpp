@@ -46,6 +46,8 @@ struct VideoOptions {
     /// The pictures have alpha and premultiplied colours, and the film keeps both, colours
     /// straight. Only in .mov, .webm and .png; without it a .mov cannot be written.
     bool has_alpha = false;
+    /// Written while it is danced: each picture is on the disk within about a second. (.mp4, .mkv)
+    bool is_live = false;
     std::string comment{};  ///< of the film, for who looks at its details; empty: none
 };
 

@@ -132,6 +132,28 @@ TEST_F(Keys, w_and_y_take_the_frame_away_and_keep_the_window_on_top) {
     }
 }
 
+TEST_F(Keys, f9_records_a_film_until_it_is_pressed_again) {
+    start("--no-overlay");
+    ASSERT_TRUE(shows_dancing());
+    press({"F9"});
+    ASSERT_TRUE(raks_->wait_for_output("raks: recording "));
+    EXPECT_TRUE(shows_dancing());
+    press({"F9"});
+    ASSERT_TRUE(raks_->wait_for_output("raks: recorded: "));
+    const auto films = screenshots();
+    ASSERT_EQ(films.size(), 1U);
+    EXPECT_EQ(films.front().substr(films.front().size() - 4), ".mp4");
+    const std::string said = run_program({"ffprobe",
+                                          "-v",
+                                          "error",
+                                          "-show_entries",
+                                          "stream=codec_name",
+                                          "-of",
+                                          "csv=p=0",
+                                          path("pictures/" + films.front())});
+    EXPECT_EQ(said, "h264\naac\n");
+}
+
 // Premultiplied colours are laid over what is behind.
 TEST_F(Keys, a_transparent_window_shows_what_lies_behind_it) {
     run_program({"convert", "-size", "960x540", "xc:#2060c0", path("blue.png")});

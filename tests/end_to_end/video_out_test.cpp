@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
 #include <set>
 
 #include "base/file.hpp"
@@ -96,6 +99,125 @@ TEST_F(VideoOut, wrong_usage_is_one_line) {
     expect_one_line(play({"--video-out", path("no_pipe")}), 1, "mkfifo");
     expect_one_line(play({"--video-out", path("clicks.wav")}), 1, "is no pipe");
     expect_one_line(play({"--video-out", "pipewire:"}), 1, "no name behind the colon");
+}
+
+/// Films of the show while it runs.
+class Record : public VideoOut {
+ protected:
+    /// Pictures as FFmpeg's own program decodes them, grey, a byte a pixel.
+    [[nodiscard]] std::string pictures(const std::string& film) const {
+        return ffmpeg({"-i", path(film), "-f", "rawvideo", "-pix_fmt", "gray", "-"});
+    }
+    [[nodiscard]] std::vector<float> sound(const std::string& film) const {
+        const std::string bytes =
+            ffmpeg({"-i", path(film), "-af", "pan=mono|c0=c0", "-ar", "48000", "-f", "f32le", "-"});
+        std::vector<float> samples(bytes.size() / sizeof(float));
+        std::memcpy(samples.data(), bytes.data(), samples.size() * sizeof(float));
+        return samples;
+    }
+    static std::string ffmpeg(const std::vector<std::string>& arguments) {
+        ProcessPlan plan;
+        plan.command = {"ffmpeg", "-v", "error"};
+        plan.command.insert(plan.command.end(), arguments.begin(), arguments.end());
+        return run_process(plan).out;
+    }
+    /// Where the first click begins, in seconds.
+    static double first_click(const std::vector<float>& samples) {
+        const auto at = std::find_if(
+            samples.begin(), samples.end(), [](float sample) { return std::abs(sample) > 0.1F; });
+        return static_cast<double>(at - samples.begin()) / 48'000.0;
+    }
+    static constexpr std::size_t kGrey = kWidth * kHeight;
+    /// Mean difference of picture `a` of one film and `b` of another.
+    static double difference(const std::string& one,
+                             std::size_t a,
+                             const std::string& other,
+                             std::size_t b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < kGrey; ++i) {
+            sum += std::abs(static_cast<unsigned char>(one[a * kGrey + i]) -
+                            static_cast<unsigned char>(other[b * kGrey + i]));
+        }
+        return sum / kGrey;
+    }
+};
+
+// The same seed and the same music: what is filmed while it plays is what `render` makes of it.
+TEST_F(Record, is_the_film_that_render_makes) {
+    write_clicks("clicks.wav", 8.0);
+    const ProcessResult played =
+        run(play({"--record", path("live.mp4"), "--camera", "wide", "--quality", "fast"}));
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_NE(played.err.find("recorded: " + path("live.mp4")), std::string::npos) << played.err;
+    ASSERT_EQ(run({"render",
+                   path("clicks.wav"),
+                   "-o",
+                   path("made.mp4"),
+                   "--size",
+                   "160x96",
+                   "--camera",
+                   "wide",
+                   "--quality",
+                   "fast"})
+                  .exit_code,
+              0);
+    const std::string live = pictures("live.mp4");
+    const std::string made = pictures("made.mp4");
+    ASSERT_GT(live.size(), 225 * kGrey);
+    EXPECT_NEAR(static_cast<double>(live.size()) / kGrey, 240.0, 12.0);
+    EXPECT_NEAR(first_click(sound("live.mp4")), first_click(sound("made.mp4")), 0.003);
+    int right = 0;
+    int compared = 0;
+    for (std::size_t i = 90; i < 210; i += 5, ++compared) {
+        const double same = difference(live, i, made, i);
+        right += same < difference(live, i, made, i - 4) && same < difference(live, i, made, i + 4)
+                     ? 1
+                     : 0;
+    }
+    EXPECT_GE(right, compared * 4 / 5) << "of " << compared;
+}
+
+TEST_F(Record, what_was_danced_plays_when_the_program_is_killed) {
+    write_clicks("clicks.wav", 30.0);
+    CapturedProcess raks(plan(play({"--record", path("x.mp4")})));
+    ASSERT_TRUE(raks.wait_for_output("playing"));
+    const auto part = [&]() -> std::string {
+        for (const std::string& name : files()) {
+            if (name.find("x.mp4") != std::string::npos) {
+                return name;
+            }
+        }
+        return {};
+    };
+    // Until about six seconds are there, by their size on the disk.
+    std::string name;
+    ASSERT_TRUE(raks.wait_until([&](const ProcessResult&) {
+        name = part();
+        return !name.empty() && pictures(name).size() > 150 * kGrey;
+    }));
+    raks.send(SIGKILL);
+    raks.wait();
+    EXPECT_GT(pictures(name).size(), 150 * kGrey);
+    EXPECT_GT(sound(name).size(), 4U * 48'000U);
+}
+
+TEST_F(Record, refuses_what_it_cannot_write_before_it_plays) {
+    write_clicks("clicks.wav", 1.0);
+    ASSERT_TRUE(write_file(path("x.mp4"), "precious"));
+    expect_one_line(play({"--record", path("x.mp4")}), 1, "is there already");
+    EXPECT_EQ(read_file(path("x.mp4"), 100).value(), "precious");
+    expect_one_line(play({"--record", path("no/such/x.mp4")}), 1, "No such file");
+    expect_one_line(play({"--record", path("x.xyz")}), 1, "unknown kind of film");
+    expect_one_line({"play",
+                     path("clicks.wav"),
+                     "--no-sound",
+                     "--headless",
+                     "--record",
+                     path("y.mp4"),
+                     "--size",
+                     "161x97"},
+                    1,
+                    "must be even");
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ void WindowTest::SetUp() {
     std::filesystem::create_directories(folder_ / "pictures");
     std::filesystem::create_directories(folder_ / "config");
     ASSERT_TRUE(write_file(path("config/user-dirs.dirs"),
-                           "XDG_PICTURES_DIR=\"" + path("pictures") + "\"\n"));
+                           "XDG_PICTURES_DIR=\"" + path("pictures") + "\"\nXDG_VIDEOS_DIR=\"" +
+                               path("pictures") + "\"\n"));
 }
 
 std::vector<std::string> WindowTest::screenshots() const {

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "base/file.hpp"
@@ -33,6 +34,19 @@ TEST(UserFolders, are_those_of_user_dirs) {
     EXPECT_EQ(user_folder_in("XDG_A_DIR=\"rel\"\n", "XDG_A_DIR", "/h"), "");
     EXPECT_EQ(user_folder_in("XDG_A_DIR=\"$HOME\"\n", "XDG_A_DIR", "/h"), "/h/");
     EXPECT_EQ(user_folder_in("XDG_A_DIR=\"/a\"\nXDG_A_DIR=\"/b\"", "XDG_A_DIR", "/h"), "/b");
+}
+
+TEST(UserFolders, a_dated_file_has_a_name_that_nobody_has_yet) {
+    const test::TemporaryFolder folder;
+    std::set<std::filesystem::path> names;
+    for (int i = 0; i < 5; ++i) {
+        const auto path = dated_file(folder.path(), ".mp4");
+        EXPECT_TRUE(names.insert(path).second) << path;
+        EXPECT_EQ(path.parent_path(), folder.path());
+        EXPECT_EQ(path.extension(), ".mp4");
+        EXPECT_EQ(path.filename().string().substr(0, 5), "raks-");
+        ASSERT_TRUE(write_file(path, "film"));
+    }
 }
 
 TEST(UserFolders, damaged_files_give_an_absolute_path_or_none) {
