@@ -14,6 +14,9 @@ asan=(base motion capture audio audio_io avatar render training_figures engine_f
 # Those with threads.
 tsan=(base engine engine_live)
 
+# What is not ours.
+export TSAN_OPTIONS="suppressions=$PWD/scripts/tsan_suppressions.txt${TSAN_OPTIONS:+ $TSAN_OPTIONS}"
+
 what=${1:?usage: scripts/sanitize.sh all|build|run}
 commits=$(git rev-list --count HEAD)
 # A header counts as the source of its name.

@@ -164,9 +164,10 @@ Expected<void> Recorder::write_piece(const engine::SoundTap::Piece& piece) {
         }
     }
     const double ratio = static_cast<double>(options_.audio_rate) / piece.rate;
-    resampled_.resize(2 * (static_cast<std::size_t>(
-                               std::ceil(ratio * static_cast<double>(piece.stereo.size() / 2))) +
-                           64));
+    const std::size_t frames = piece.stereo.size() / 2;
+    constexpr std::size_t kMore = 64;  // that the resampler may have held back
+    const auto most = static_cast<std::size_t>(std::ceil(ratio * static_cast<double>(frames)));
+    resampled_.resize(2 * (most + kMore));
     std::span<const float> input = piece.stereo;
     while (!input.empty()) {
         const auto [taken, made] = resampler_.process(input, resampled_);

@@ -9,7 +9,7 @@ namespace raks::engine {
 namespace {
 
 // Two seconds of stereo at 192 kHz, or eight at 48.
-constexpr std::size_t kRoom = 2 * 2 * 192'000;
+constexpr std::size_t kRoom{768'000};
 
 }  // namespace
 
