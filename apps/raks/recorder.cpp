@@ -55,7 +55,12 @@ Nanos Recorder::time_of(std::int64_t picture) const noexcept {
     return Nanos(picture * options_.rate.denominator * 1'000'000'000 / options_.rate.numerator);
 }
 
-void Recorder::follow(std::uint32_t source) { source_ = source; }
+void Recorder::follow(std::uint32_t source) {
+    source_ = source;
+    if (first_source_ == 0) {
+        first_source_ = source;
+    }
+}
 
 std::optional<StreamTime> Recorder::wanted(StreamTime passing) {
     const std::lock_guard lock(mutex_);
@@ -121,6 +126,10 @@ void Recorder::end(const Error& why) {
 Expected<void> Recorder::write_sound() {
     engine::SoundTap::Piece piece;
     while (tap_.take(piece)) {
+        const std::uint32_t first = first_source_;
+        if (first == 0 || piece.source < first) {
+            continue;
+        }
         if (auto written = write_piece(piece); !written) {
             return written;
         }

@@ -39,7 +39,7 @@ class Recorder {
     Recorder(const Recorder&) = delete;             ///< the thread refers to it
     Recorder& operator=(const Recorder&) = delete;  ///< likewise
 
-    /// From now on the sound is that of this source of the tap.
+    /// From now on the sound is that of this source of the tap, numbered upward from 1.
     void follow(std::uint32_t source);
     /// The next moment that is to be drawn, where it is time: `passing` is what passes the sound
     /// server now. What is too late to be drawn is shown by the picture before.
@@ -82,7 +82,8 @@ class Recorder {
     Path file_;
     render::VideoOptions options_;
     engine::SoundTap& tap_;
-    std::uint32_t source_ = 0;  // main's
+    std::uint32_t source_ = 0;                    // main's
+    std::atomic<std::uint32_t> first_source_{0};  // what is older is of a film before
 
     std::mutex mutex_;  // of the six below
     std::condition_variable changed_;

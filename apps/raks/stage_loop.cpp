@@ -107,7 +107,7 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
         video_ = std::move(*video);
     }
     if (!options_.video.record.empty()) {
-        if (auto started = start_recording(options_.video.record); !started) {
+        if (auto started = recording_.start(options_.video.record); !started) {
             return started;
         }
     }
@@ -124,7 +124,7 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
         if (look.scene.backdrop == render::Backdrop::transparent && !window_->is_transparent()) {
             say("no compositor runs: what is transparent is black in the window");
         }
-    } else if (video_ || recorder_) {
+    } else if (video_ || recording_.is_on()) {
         auto context = render::OffscreenContext::create();
         if (!context) {
             return fail(context.error());
@@ -146,16 +146,18 @@ StageLoop::StageLoop(const engine::Settings& settings,
       options_(options),
       dances_(std::move(dances)),
       formations_(formations),
+      recording_(settings_, dances_),
       staging_(static_cast<std::uint64_t>(settings.seed),
                settings.calm ? render::Liveliness::calm : render::Liveliness::usual),
       live_actions_(static_cast<float>(settings.volume),
                     [this](const std::string& line) { say(line); }),
       formation_(formations.name()) {}
 
-// The graph has gone before.
+// The graph has gone before. Where nothing was played, something else was said.
 StageLoop::~StageLoop() {
-    if (recorder_) {
-        say(recorder_->stop());
+    const std::string line = recording_.stop(nullptr);
+    if (graph_ != nullptr && !line.empty()) {
+        say(line);
     }
 }
 
@@ -195,7 +197,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     if (video_) {
         video_->begin_anew();
     }
-    pass_sound_on();
+    recording_.follow(graph);
     keep_memory();
     outputs_->follow(graph.feed());
     engine::GraphTarget target(graph);
@@ -262,95 +264,27 @@ void StageLoop::draw_elsewhere(const engine::WindowView& view) {
             describe(graph_->stage(), overlay);
         });
     }
-    record_picture(view);
-}
-
-// As outputs have them: the moment that passes the sound server, so that the film and what others
-// record are alike.
-void StageLoop::record_picture(const engine::WindowView& view) {
-    if (!recorder_) {
-        return;
-    }
-    if (std::exchange(is_reading_recorded_, false)) {
-        if (const auto picture = recorded_stage_->picture()) {
-            recorder_->give(*picture);
-        }
-    }
-    const engine::StageState& stage = graph_->stage();
-    const auto moment = recorder_->wanted(
-        graph_->passing_at(std::chrono::time_point_cast<Nanos>(HostClock::now())));
-    if (!moment || stage.published_at_ns == 0) {
-        return;
-    }
     FilmedStage::Describe describes;
     if (options_.video.has_overlay) {
         describes = [this](render::OverlayState& overlay) { describe(graph_->stage(), overlay); };
     }
-    if (const auto drawn = recorded_stage_->draw(stage, *moment, view, describes); !drawn) {
-        say(drawn.error().message);
-        stop_recording();
-        return;
+    if (const auto drawn = recording_.draw(*graph_, view, describes); !drawn) {
+        say("recording ended: " + drawn.error().message);
     }
-    is_reading_recorded_ = true;
-}
-
-// The sound of the present graph goes to the recorder, if there is one.
-void StageLoop::pass_sound_on() {
-    if (recorder_ && graph_ != nullptr) {
-        recorded_stage_->begin_anew();
-        tap_->set_source(++source_number_);
-        recorder_->follow(source_number_);
-        graph_->analysis().set_tap(tap_.get());
-    }
-}
-
-Expected<void> StageLoop::start_recording(const Path& file) {
-    const auto size = engine::parse_size(settings_.size);
-    if (!size) {
-        return fail(size.error());
-    }
-    if (!tap_) {
-        tap_ = std::make_unique<engine::SoundTap>();
-    }
-    render::VideoOptions options;
-    options.width = size->width;
-    options.height = size->height;
-    options.rate = render::FrameRate::nearest(settings_.fps);
-    // Beside drawing and playing, encoding must be quick.
-    options.quality =
-        settings_.quality == "high" ? render::VideoQuality::normal : render::VideoQuality::draft;
-    options.has_alpha =
-        settings_.backdrop == "transparent" && render::VideoWriter::keeps_alpha(file);
-    auto recorder = Recorder::start(file, options, *tap_);
-    if (!recorder) {
-        return fail(recorder.error());
-    }
-    recorder_ = std::move(*recorder);
-    recorded_stage_.emplace(settings_, *size, dances_);
-    is_reading_recorded_ = false;
-    return {};
 }
 
 void StageLoop::toggle_recording() {
-    if (recorder_) {
-        stop_recording();
+    if (recording_.is_on()) {
+        say(recording_.stop(graph_));
         return;
     }
     const Path file = engine::dated_file(engine::videos_folder(), ".mp4");
-    if (const auto started = start_recording(file); !started) {
+    if (const auto started = recording_.start(file); !started) {
         say(started.error().message);
         return;
     }
-    pass_sound_on();
+    recording_.follow(*graph_);
     say("recording " + file.string() + " (F9: stop)");
-}
-
-void StageLoop::stop_recording() {
-    if (recorder_) {
-        graph_->analysis().set_tap(nullptr);
-        say(recorder_->stop());
-        recorder_.reset();
-    }
 }
 
 // Actions of this class, beside those of LiveActions and of the window.
@@ -422,9 +356,8 @@ void StageLoop::advance(double /*seconds*/) {
             say(line);
         }
     }
-    if (const auto trouble = recorder_ ? recorder_->take_trouble() : std::nullopt) {
+    if (const auto trouble = recording_.take_trouble()) {
         say(*trouble);
-        recorder_.reset();
     }
     if (source_.each_picture) {
         source_.each_picture();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
-#include "apps/raks/recorder.hpp"
+#include "apps/raks/show_recording.hpp"
 #include "apps/raks/video_show.hpp"
 #include "base/expected.hpp"
 #include "engine/control/action_dispatcher.hpp"
@@ -101,11 +101,7 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] Expected<void> open_pictures(const engine::Look& look);
     void run_headless();
     void draw_headless();
-    [[nodiscard]] Expected<void> start_recording(const Path& file);
     void toggle_recording();
-    void stop_recording();
-    void record_picture(const engine::WindowView& view);
-    void pass_sound_on();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void select_next_dance();
     void keep_dance();
@@ -139,12 +135,7 @@ class StageLoop final : private engine::WindowContent {
     std::optional<Studio> studio_;
     std::optional<engine::WindowLoop> window_;
     std::unique_ptr<VideoShow> video_;  // needs the context of one of both
-    // Recording: the tap stays, as the audio thread may use it at any time.
-    std::unique_ptr<engine::SoundTap> tap_;
-    std::uint32_t source_number_ = 0;
-    std::unique_ptr<Recorder> recorder_;
-    std::optional<FilmedStage> recorded_stage_;
-    bool is_reading_recorded_ = false;
+    ShowRecording recording_;           // likewise
     engine::Staging staging_;
     engine::LiveActions live_actions_;
     std::unique_ptr<engine::Outputs> outputs_;

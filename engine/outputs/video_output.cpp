@@ -13,6 +13,7 @@ namespace {
 
 // Drawn ahead of the one that is sent next: reading back takes one.
 constexpr std::int64_t kMostAhead = 2;
+constexpr std::size_t kMostWaiting = 4;
 
 }  // namespace
 
@@ -65,6 +66,10 @@ void VideoOutput::give(HostTime due, std::span<const std::uint8_t> rgba) {
     picture.rgba.assign(rgba.begin(), rgba.end());
     const std::lock_guard lock(mutex_);
     waiting_.push_back(std::move(picture));
+    // Where the thread is held up, the oldest go.
+    if (waiting_.size() > kMostWaiting) {
+        waiting_.pop_front();
+    }
     while (due_of(next_wanted_) <= due) {
         ++next_wanted_;
     }
