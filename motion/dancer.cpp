@@ -28,12 +28,28 @@ void Dancer::State::apply(const DancerCommand& command) noexcept {
                 selected = static_cast<DanceId>(command.value);
             }
             break;
+        case DancerCommand::Kind::forbid_dance:
+        case DancerCommand::Kind::allow_dance:
+            allow(command.value, command.kind == DancerCommand::Kind::allow_dance);
+            break;
         case DancerCommand::Kind::hold:
             is_held = true;
             break;
         case DancerCommand::Kind::release:
             is_held = false;
             break;
+    }
+}
+
+// Who is forbidden every dance that it knows would never dance again: the last one stays.
+void Dancer::State::allow(double number, bool is_allowed) noexcept {
+    if (!(number >= 0.0 && number < static_cast<double>(kMostDances))) {
+        return;
+    }
+    DanceSet wished = forbidden;
+    wished.set(static_cast<std::size_t>(number), !is_allowed);
+    if (repertoire->has_other_than(wished)) {
+        forbidden = wished;
     }
 }
 

@@ -40,19 +40,26 @@ bool goes_on_unsurely(const MusicState& music) noexcept {
 
 }  // namespace
 
-/// The dance for music of genre `heard`; a selected dance comes first. None: stand.
+/// The dance for music of genre `heard`, unless it is forbidden; a selected dance comes first.
+/// None: stand.
 DanceId Dancer::State::wanted(DanceId recognized) const noexcept {
-    for (const DanceId one : {selected, recognized}) {
-        if (one != DanceId::none && repertoire->of(one) != nullptr) {
-            return one;
-        }
+    const auto is_known = [&](DanceId one) {
+        return one != DanceId::none && repertoire->of(one) != nullptr;
+    };
+    const auto is_allowed = [&](DanceId one) { return is_known(one) && !forbidden[index_of(one)]; };
+    if (is_known(selected)) {
+        return selected;
     }
+    if (is_allowed(recognized)) {
+        return recognized;
+    }
+    const DanceId nearest = repertoire->nearest(
+        grid.tempo, grid.beats_per_bar, is_dancing ? genre : DanceId::none, forbidden);
     switch (repertoire->otherwise()) {
         case Repertoire::Fallback::first:
-            return repertoire->nearest(
-                grid.tempo, grid.beats_per_bar, is_dancing ? genre : DanceId::none);
+            return nearest;
         case Repertoire::Fallback::keep:
-            return genre;
+            return genre == DanceId::none || is_allowed(genre) ? genre : nearest;
         case Repertoire::Fallback::stand:
             break;
     }

@@ -42,6 +42,7 @@ struct Dancer::Course {
 
     DanceId genre = DanceId::none;     // of what is danced, or was last
     DanceId selected = DanceId::none;  // by command
+    DanceSet forbidden;                // by command; a selected one is danced even so
     int bars_to_wait = 0;              // downbeats that still pass before the start
     DanceSequence sequence;
     FigureWish wish;
@@ -100,6 +101,7 @@ struct Dancer::State : Dancer::Course {
     void go_on_from(const State& before) noexcept;
     [[nodiscard]] FloorMove place() const noexcept;
     void apply(const DancerCommand& command) noexcept;
+    void allow(double number, bool is_allowed) noexcept;
 
     // Decisions of one hop (dancer_course.cpp, dancer_stillness.cpp).
     void decide(const MusicState& music) noexcept;

@@ -66,22 +66,38 @@ const DanceLibrary* Repertoire::of(DanceId id) const noexcept RAKS_NONBLOCKING {
                                          : nullptr;
 }
 
+bool Repertoire::has_other_than(const DanceSet& forbidden) const noexcept RAKS_NONBLOCKING {
+    for (std::size_t slot = 0; slot < dances_.size(); ++slot) {
+        if (!forbidden[slot] && of(static_cast<DanceId>(slot)) != nullptr) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// In music of a metre that no dance has, the first one is danced; where that is forbidden, any that
+// is allowed.
 DanceId Repertoire::nearest(Bpm tempo,
                             int beats_per_bar,
-                            DanceId present) const noexcept RAKS_NONBLOCKING {
-    if (!(tempo.bpm() > 0.0) ||
-        octaves_beyond(tempo, tempos_[index_of(first_)]) <= (present == first_ ? kStays : 0.0)) {
+                            DanceId present,
+                            const DanceSet& forbidden) const noexcept RAKS_NONBLOCKING {
+    constexpr double kOtherMetre = 100.0;  // octaves
+    const bool is_first_allowed = !forbidden[index_of(first_)];
+    if (is_first_allowed &&
+        (!(tempo.bpm() > 0.0) ||
+         octaves_beyond(tempo, tempos_[index_of(first_)]) <= (present == first_ ? kStays : 0.0))) {
         return first_;
     }
     DanceId best = first_;
     double least = 1e9;
     for (std::size_t slot = 0; slot < dances_.size(); ++slot) {
         const auto id = static_cast<DanceId>(slot);
-        if (of(id) == nullptr || tempos_[slot].beats_per_bar != beats_per_bar) {
+        const double other = tempos_[slot].beats_per_bar == beats_per_bar ? 0.0 : kOtherMetre;
+        if (forbidden[slot] || of(id) == nullptr || (is_first_allowed && other > 0.0)) {
             continue;
         }
-        const double apart =
-            octaves_from_likely(tempo, tempos_[slot]) - (id == present ? kStays : 0.0);
+        const double apart = (tempo.bpm() > 0.0 ? octaves_from_likely(tempo, tempos_[slot]) : 0.0) +
+                             other - (id == present ? kStays : 0.0);
         if (apart < least) {
             least = apart;
             best = id;

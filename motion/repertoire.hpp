@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <bitset>
 #include <memory>
 
 #include "base/beats.hpp"
@@ -19,6 +20,9 @@ struct DanceTempo {
     Bpm likely{120.0};      ///< as usual
     int beats_per_bar = 4;  ///< of the music
 };
+
+/// Some dances, by their numbers in the program's list.
+using DanceSet = std::bitset<kMostDances>;
 
 /// The dances that a dancer knows, by their numbers in the program's list, and what is danced to
 /// music of none of them. It may grow while a dancer reads it: a dance added later is available
@@ -55,11 +59,15 @@ class Repertoire {
     [[nodiscard]] Fallback otherwise() const noexcept { return fallback_; }
     /// The dance for music of no dance: the first one, where the tempo, half or twice of it lies in
     /// its range; otherwise the dance of this metre whose likely tempo is nearest, in octaves. A
-    /// dance that is danced already, `present`, stays a little longer than it would be chosen.
+    /// dance that is danced already, `present`, stays a little longer than it would be chosen. None
+    /// of `forbidden`; where all others have another metre, one of them.
     /// Threads: any. Real-time: yes.
     [[nodiscard]] DanceId nearest(Bpm tempo,
                                   int beats_per_bar,
-                                  DanceId present) const noexcept RAKS_NONBLOCKING;
+                                  DanceId present,
+                                  const DanceSet& forbidden = {}) const noexcept RAKS_NONBLOCKING;
+    /// Whether there is a dance that is not forbidden. Threads: any. Real-time: yes.
+    [[nodiscard]] bool has_other_than(const DanceSet& forbidden) const noexcept RAKS_NONBLOCKING;
 
  private:
     DanceId first_;

@@ -60,6 +60,11 @@ struct PlayArguments {
 /// played, no loudspeaker.
 [[nodiscard]] ExitCode play(const PlayArguments& arguments);
 
+/// Opens the window at once and plays the files; without any it dances to what the computer plays,
+/// and to music of its own where nothing can be listened to. Errors: no display; files of which
+/// none can be played.
+[[nodiscard]] ExitCode open(const PlayArguments& arguments);
+
 /// Arguments of `raks live`.
 struct LiveArguments {
     engine::Settings settings;                ///< of the files and the options
@@ -76,6 +81,7 @@ struct LiveArguments {
 struct DevicesArguments {
     engine::Settings settings;     ///< of the files and the options
     bool as_json = false;          ///< one JSON document instead of text
+    bool has_levels = false;       ///< and in it what each input hears
     bool asks_for_output = false;  ///< only the exit code: is there a loudspeaker?
 };
 /// Lists the audio devices and which of them are chosen.

@@ -114,9 +114,9 @@ bool is_dance_place(const std::string& dance) {
            (!is_dance_name(dance) && fs::is_directory(dance, ignored));
 }
 
-Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skeleton& body) {
-    // Nothing of what is loaded would be kept.
-    const EndAtOnceOnSignals at_once;
+namespace {
+
+Expected<DanceSetup> read_dances(engine::Settings& settings, const motion::Skeleton& body) {
     say_detail("loading the dances");
     fs::path given;
     if (is_dance_place(settings.dance)) {
@@ -159,6 +159,30 @@ Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skele
     return DanceSetup{std::move(*catalogue), std::move(*models), body};
 }
 
+}  // namespace
+
+Expected<DanceSetup> open_dances(engine::Settings& settings, const motion::Skeleton& body) {
+    // Nothing of what is loaded would be kept.
+    const EndAtOnceOnSignals at_once;
+    return read_dances(settings, body);
+}
+
+Expected<LoadedDance> load_dance(engine::Settings settings, const fs::path& place) {
+    settings.dance = place.string();
+    auto dances = read_dances(settings, motion::mannequin_skeleton());
+    if (!dances) {
+        return fail(std::move(dances.error()));
+    }
+    // The others stay within reach.
+    const std::string name = std::exchange(settings.dance, "auto");
+    auto formations = engine::Formations::load(settings, dances->catalogue, {dances->skeleton});
+    if (!formations) {
+        return fail(std::move(formations.error()));
+    }
+    return LoadedDance{
+        std::make_shared<StageSetup>(StageSetup{std::move(*dances), std::move(*formations)}), name};
+}
+
 Expected<OfflineSetup> open_dancers(engine::Settings& settings,
                                     std::vector<motion::Skeleton> bodies) {
     const EndAtOnceOnSignals at_once;
@@ -181,9 +205,8 @@ Expected<OfflineSetup> open_dancers(engine::Settings& settings,
     return OfflineSetup{std::move(*setup), std::move(*dancers)};
 }
 
-Expected<StageSetup> open_formations(engine::Settings& settings) {
-    const EndAtOnceOnSignals at_once;
-    auto setup = open_dances(settings);
+Expected<StageSetup> load_formations(engine::Settings& settings) {
+    auto setup = read_dances(settings, motion::mannequin_skeleton());
     if (!setup) {
         return fail(std::move(setup.error()));
     }
@@ -192,6 +215,11 @@ Expected<StageSetup> open_formations(engine::Settings& settings) {
         return fail(std::move(formations.error()));
     }
     return StageSetup{std::move(*setup), std::move(*formations)};
+}
+
+Expected<StageSetup> open_formations(engine::Settings& settings) {
+    const EndAtOnceOnSignals at_once;
+    return load_formations(settings);
 }
 
 void read_corrections(engine::AnalyzerModels& models) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "audio/genre/tag_evidence.hpp"
@@ -96,6 +98,18 @@ void say_stopped(const std::vector<std::filesystem::path>& files, Nanos danced);
 struct StageSetup : DanceSetup {
     engine::Formations formations;
 };
+/// A dance that came while a show runs, with all dances that there are beside it.
+struct LoadedDance {
+    std::shared_ptr<StageSetup> setup;
+    std::string name;  ///< of the dance
+};
+/// Loads a written dance or a folder of dances for a show that runs. Errors: as open_formations.
+/// Threads: workers.
+[[nodiscard]] Expected<LoadedDance> load_dance(engine::Settings settings,
+                                               const std::filesystem::path& place);
+
+/// The same as open_formations() while a window is open: signals are noted. Threads: workers.
+[[nodiscard]] Expected<StageSetup> load_formations(engine::Settings& settings);
 /// As open_dances(), and solves the dance that the show begins with; others are solved while it
 /// runs. Errors: also those of engine::Formations::load.
 [[nodiscard]] Expected<StageSetup> open_formations(engine::Settings& settings);

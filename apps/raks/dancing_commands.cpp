@@ -162,6 +162,26 @@ void add_play(RaksCommands& table) {
     add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
+// What the desktop's icon starts.
+void add_open(RaksCommands& table) {
+    auto [app, a] = table.add(table.app(),
+                              "open",
+                              "open the window: dance to files, or to what this computer plays",
+                              open);
+    app->add_option("files", a->files, "music files, folders, playlists; none: listen");
+    add_setting_options(*app,
+                        a->settings,
+                        {&Settings::device,
+                         &Settings::output,
+                         &Settings::audio_system,
+                         &Settings::buffer_ms,
+                         &Settings::volume});
+    add_window_options(*app, a->window);
+    add_setting_options(*app, a->settings, engine::kPlay);
+    add_output_options(*app, a->outputs);
+    add_video_options(*app, a->video, a->outputs, a->settings);
+}
+
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
     add_setting_options(
@@ -354,6 +374,7 @@ void add_setting_options(CLI::App& app,
 }
 
 void add_dancing_commands(RaksCommands& table) {
+    add_open(table);
     add_play(table);
     add_live(table);
     add_render(table);

@@ -1,7 +1,11 @@
 #include "apps/raks/commands.hpp"
 
+#include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "apps/raks/device_levels.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/devices.hpp"
 #include "base/json.hpp"
@@ -15,23 +19,29 @@ namespace {
 
 // Numbers are those that --device and --output take.
 std::string to_json(const std::vector<audio::AudioDevice>& devices,
-                    const engine::DeviceOffsets& offsets) {
+                    const engine::DeviceOffsets& offsets,
+                    const std::vector<std::optional<float>>& levels) {
     Json document = {{"format", "raks-devices"}, {"version", 2}};
     auto& list = document["devices"] = Json::array();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const audio::AudioDevice& device = devices[i];
-        list.push_back(
-            {{"number", i},
-             {"name", device.name},
-             {"id", device.id},
-             {"host_api", device.host_api},
-             {"inputs", device.input_channels},
-             {"outputs", device.output_channels},
-             {"rate", device.default_rate},
-             {"monitor", device.is_monitor},
-             {"default", device.is_default_input || device.is_default_output},
-             {"offset_ms",
-              1e3 * to_seconds(offsets.of(device.name, device.monitor_of).value_or(Nanos(0)))}});
+        Json entry = {
+            {"number", i},
+            {"name", device.name},
+            {"id", device.id},
+            {"host_api", device.host_api},
+            {"inputs", device.input_channels},
+            {"outputs", device.output_channels},
+            {"rate", device.default_rate},
+            {"monitor", device.is_monitor},
+            {"monitor_of", device.monitor_of},
+            {"default", device.is_default_input || device.is_default_output},
+            {"offset_ms",
+             1e3 * to_seconds(offsets.of(device.name, device.monitor_of).value_or(Nanos(0)))}};
+        if (i < levels.size() && levels[i]) {
+            entry["level_dbfs"] = std::round(10.0 * static_cast<double>(*levels[i])) / 10.0;
+        }
+        list.push_back(std::move(entry));
     }
     return document.text(2) + "\n";
 }
@@ -82,7 +92,9 @@ ExitCode devices(const DevicesArguments& arguments) {
         offsets = engine::DeviceOffsets();
     }
     if (arguments.as_json) {
-        print_json(to_json(system->devices(), *offsets));
+        const auto levels = arguments.has_levels ? device_levels(system->devices())
+                                                 : std::vector<std::optional<float>>();
+        print_json(to_json(system->devices(), *offsets, levels));
     } else {
         print_text(to_text(system->devices(), *offsets));
     }

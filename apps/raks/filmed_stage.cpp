@@ -45,11 +45,8 @@ engine::ShownMoment shown_moment(const engine::StageState& stage, StreamTime mom
              .moment = moment}};
 }
 
-FilmedStage::FilmedStage(const engine::Settings& settings,
-                         engine::PictureSize size,
-                         std::shared_ptr<const DanceList> dances)
-    : dances_(std::move(dances)),
-      size_(size),
+FilmedStage::FilmedStage(const engine::Settings& settings, engine::PictureSize size)
+    : size_(size),
       staging_(static_cast<std::uint64_t>(settings.seed),
                settings.calm ? render::Liveliness::calm : render::Liveliness::usual),
       rgba_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4) {}
@@ -82,7 +79,9 @@ Expected<void> FilmedStage::draw(const engine::StageState& stage,
     }
     engine::DancerBodies& bodies = bodies_as(view.drawing.bodies);
     const render::FrameTarget frame = target_->frame();
-    const engine::ShownMoment shown = shown_moment(stage, moment);
+    const engine::ShownMoment danced = shown_moment(stage, moment);
+    const engine::ShownMoment shown =
+        view.performance != nullptr ? view.performance->at(danced) : danced;
     render::Scene scene = view.scene;
     staging_.set_picture(static_cast<float>(frame.width) / static_cast<float>(frame.height),
                          bodies.size());
@@ -91,8 +90,7 @@ Expected<void> FilmedStage::draw(const engine::StageState& stage,
     engine::draw_moment(shown, view.drawing.renderer, bodies, scene, frame);
     if (describe) {
         render::OverlayState info;
-        describe_moment(shown, *dances_, info);
-        describe(info);
+        describe(shown, info);
         constexpr float kOrdinaryMonitor = 1.0F;
         view.drawing.overlay.draw(info, render::OverlayView::shown, frame, kOrdinaryMonitor);
     }

@@ -27,13 +27,11 @@ void follow_stage(engine::Staging& staging, const engine::StageState& stage);
 /// faces are their own. Threads: main, with the OpenGL context current.
 class FilmedStage {
  public:
-    /// Fills in what a moment does not know; empty: the pictures have no overlay.
-    using Describe = std::function<void(render::OverlayState&)>;
+    /// Fills the overlay in; empty: the pictures have none.
+    using Describe = std::function<void(const engine::ShownMoment&, render::OverlayState&)>;
 
     /// `size`, seed and calm are the settings'.
-    FilmedStage(const engine::Settings& settings,
-                engine::PictureSize size,
-                std::shared_ptr<const DanceList> dances);
+    FilmedStage(const engine::Settings& settings, engine::PictureSize size);
 
     /// The next picture is of another stream.
     void begin_anew() { staging_.begin_anew(); }
@@ -50,7 +48,6 @@ class FilmedStage {
     [[nodiscard]] Expected<void> make_target(int samples);
     [[nodiscard]] engine::DancerBodies& bodies_as(const engine::DancerBodies& shown);
 
-    std::shared_ptr<const DanceList> dances_;
     engine::PictureSize size_;
     engine::Staging staging_;
     std::optional<engine::DancerBodies> bodies_;

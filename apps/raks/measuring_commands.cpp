@@ -35,7 +35,9 @@ void add_beat_option(CLI::App& app, Methods& method) {
 void add_devices(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "devices", "list inputs and loudspeakers", devices);
     add_setting_options(*app, a->settings, {&Settings::audio_system});
-    app->add_flag("--json", a->as_json, "one JSON document");
+    auto* const json = app->add_flag("--json", a->as_json, "one JSON document");
+    app->add_flag("--levels", a->has_levels, "listen to all inputs for a third of a second")
+        ->needs(json);
     app->add_flag(
         "--has-output", a->asks_for_output, "print nothing; fail where there is no loudspeaker");
 }

@@ -26,7 +26,7 @@ Expected<void> ShowRecording::start(const Path& file) {
         return fail(recorder.error());
     }
     recorder_ = std::move(*recorder);
-    stage_.emplace(settings_, *size, dances_);
+    stage_.emplace(settings_, *size);
     is_reading_ = false;
     return {};
 }

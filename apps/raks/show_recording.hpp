@@ -18,8 +18,7 @@ namespace raks::apps {
 class ShowRecording {
  public:
     /// Size, rate and quality are those of `settings`, which must outlive this.
-    ShowRecording(const engine::Settings& settings, std::shared_ptr<const DanceList> dances)
-        : settings_(settings), dances_(std::move(dances)) {}
+    explicit ShowRecording(const engine::Settings& settings) : settings_(settings) {}
 
     /// Begins a film; follow() gives it sound. Errors: those of Recorder::start.
     [[nodiscard]] Expected<void> start(const Path& file);
@@ -40,7 +39,6 @@ class ShowRecording {
 
  private:
     const engine::Settings& settings_;
-    std::shared_ptr<const DanceList> dances_;
     // It stays once it is there, as the audio thread may use it at any time.
     std::unique_ptr<engine::SoundTap> tap_;
     std::uint32_t source_ = 0;

@@ -28,8 +28,6 @@ using engine::Action;
 // Without a window: time between two looks at the graph.
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
 constexpr Nanos kDrawingNap = std::chrono::milliseconds(4);  // or whether a picture is due
-// Up to this many seconds after a file's start, "back" means the file before; later, the start.
-constexpr double kStillTheStart = 3.0;
 
 // A relative time: nothing here depends on an exact rate.
 void nap(Nanos span) {
@@ -40,31 +38,6 @@ void nap(Nanos span) {
 
 bool is_stop_requested() { return stop_signal().has_value(); }
 
-// Errors: no display, or no OpenGL.
-Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
-                                         const engine::Look& look,
-                                         const StageLoop::Options& options) {
-    auto window = render::Window::create({.title = "Raks",
-                                          .width = look.size.width,
-                                          .height = look.size.height,
-                                          .is_fullscreen = options.window.is_fullscreen,
-                                          .is_transparent = true,
-                                          .is_borderless = options.window.is_borderless,
-                                          .is_on_top = options.window.is_on_top,
-                                          .samples = 0,
-                                          .max_fps = settings.fps});
-    if (!window) {
-        return fail(window.error());
-    }
-    return engine::WindowLoop::create(
-        std::move(*window),
-        look,
-        {.cards = settings.overlay ? engine::Cards::shown : engine::Cards::hidden,
-         .say = apps::say,
-         .say_detail = say_detail,
-         .is_stop_requested = is_stop_requested});
-}
-
 }  // namespace
 
 // 20 characters from -60 to 0 dBFS.
@@ -74,33 +47,57 @@ std::string level_meter(float dbfs) {
     return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
 }
 
-Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& settings,
-                                                       const Options& options,
-                                                       std::shared_ptr<const DanceList> dances,
-                                                       engine::Formations& formations) {
-    const auto look = open_look(settings);
+Expected<StageLoop::OpenedWindow> StageLoop::open_window(const engine::Settings& settings,
+                                                         const WindowWish& wish) {
+    auto look = open_look(settings);
     if (!look) {
         return fail(look.error());
     }
+    auto window = render::Window::create({.title = "Raks",
+                                          .width = look->size.width,
+                                          .height = look->size.height,
+                                          .is_fullscreen = wish.is_fullscreen,
+                                          .is_transparent = true,
+                                          .is_borderless = wish.is_borderless,
+                                          .is_on_top = wish.is_on_top,
+                                          .samples = 0,
+                                          .max_fps = settings.fps});
+    if (!window) {
+        return fail(window.error());
+    }
+    auto loop = engine::WindowLoop::create(
+        std::move(*window),
+        *look,
+        {.cards = settings.overlay ? engine::Cards::shown : engine::Cards::hidden,
+         .say = apps::say,
+         .say_detail = say_detail,
+         .is_stop_requested = is_stop_requested});
+    if (!loop) {
+        return fail(loop.error());
+    }
+    return OpenedWindow{std::move(*look), std::move(*loop)};
+}
+
+Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& settings,
+                                                       const Options& options,
+                                                       StageSetup& setup,
+                                                       std::optional<OpenedWindow> opened) {
     auto outputs = engine::Outputs::open(options.outputs);
     if (!outputs) {
         return fail(outputs.error());
     }
-    // Until it is solved for the avatar, the dance is retargeted.
-    formations.ask_for_bodies(engine::dance_bodies_of(look->avatars));
-    std::unique_ptr<StageLoop> loop(
-        new StageLoop(settings, options, std::move(dances), formations));
+    std::unique_ptr<StageLoop> loop(new StageLoop(settings, options, setup));
     loop->outputs_ = std::move(*outputs);
-    if (auto opened = loop->open_pictures(*look); !opened) {
-        return fail(opened.error());
+    if (auto done = loop->open_pictures(std::move(opened)); !done) {
+        return fail(done.error());
     }
     return loop;
 }
 
 // The window, or where pictures are drawn without one that somebody wants.
-Expected<void> StageLoop::open_pictures(const engine::Look& look) {
+Expected<void> StageLoop::open_pictures(std::optional<OpenedWindow> opened) {
     if (!options_.video.wishes.empty()) {
-        auto video = VideoShow::create(options_.video, settings_, dances_);
+        auto video = VideoShow::create(options_.video, settings_);
         if (!video) {
             return fail(video.error());
         }
@@ -111,52 +108,91 @@ Expected<void> StageLoop::open_pictures(const engine::Look& look) {
             return started;
         }
     }
-    if (!options_.is_headless) {
-        auto window = open_window(settings_, look, options_);
+    if (options_.is_headless) {
+        return open_studio();
+    }
+    if (!opened) {
+        auto window = open_window(settings_, options_.window);
         if (!window) {
             return fail(window.error());
         }
-        window_.emplace(std::move(*window));
-        // The quality that the renderer chose by itself.
-        if (const std::string notice(window_->notice()); !notice.empty()) {
-            say(notice);
-        }
-        if (look.scene.backdrop == render::Backdrop::transparent && !window_->is_transparent()) {
-            say("no compositor runs: what is transparent is black in the window");
-        }
-    } else if (video_ || recording_.is_on()) {
-        auto context = render::OffscreenContext::create();
-        if (!context) {
-            return fail(context.error());
-        }
-        auto drawing = engine::create_drawing(look);
-        if (!drawing) {
-            return fail(drawing.error());
-        }
-        studio_.emplace(Studio{std::move(*context), std::move(*drawing), look.scene, look.camera});
+        opened.emplace(std::move(*window));
+    }
+    // Until it is solved for the avatar, the dance is retargeted.
+    formations_->ask_for_bodies(engine::dance_bodies_of(opened->look.avatars));
+    const bool is_transparent = opened->look.scene.backdrop == render::Backdrop::transparent;
+    window_.emplace(std::move(opened->window));
+    // The quality that the renderer chose by itself.
+    if (const std::string notice(window_->notice()); !notice.empty()) {
+        say(notice);
+    }
+    if (is_transparent && !window_->is_transparent()) {
+        say("no compositor runs: what is transparent is black in the window");
     }
     return {};
 }
 
-StageLoop::StageLoop(const engine::Settings& settings,
-                     const Options& options,
-                     std::shared_ptr<const DanceList> dances,
-                     engine::Formations& formations)
+// Pictures without a window, where somebody has them. A bad avatar is told even where nobody sees
+// it.
+Expected<void> StageLoop::open_studio() {
+    const auto look = open_look(settings_);
+    if (!look) {
+        return fail(look.error());
+    }
+    formations_->ask_for_bodies(engine::dance_bodies_of(look->avatars));
+    if (!video_ && !recording_.is_on()) {
+        return {};
+    }
+    auto context = render::OffscreenContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    auto drawing = engine::create_drawing(*look);
+    if (!drawing) {
+        return fail(drawing.error());
+    }
+    studio_.emplace(Studio{std::move(*context), std::move(*drawing), look->scene, look->camera});
+    return {};
+}
+
+StageLoop::StageLoop(const engine::Settings& settings, const Options& options, StageSetup& setup)
     : settings_(settings),
       options_(options),
-      dances_(std::move(dances)),
-      formations_(formations),
-      recording_(settings_, dances_),
+      dances_(setup.catalogue.list()),
+      formations_(&setup.formations),
+      recording_(settings_),
       staging_(static_cast<std::uint64_t>(settings.seed),
                settings.calm ? render::Liveliness::calm : render::Liveliness::usual),
       live_actions_(static_cast<float>(settings.volume),
                     [this](const std::string& line) { say(line); }),
-      formation_(formations.name()) {}
+      choice_(
+          settings,
+          dances_,
+          live_actions_,
+          [this] { return dancers(); },
+          [this](const std::string& line) { say(line); }),
+      sources_(means_of_sources()),
+      formation_(formations_->name()) {}
+
+void StageLoop::adopt(StageSetup& setup) {
+    dances_ = setup.catalogue.list();
+    formations_ = &setup.formations;
+    choice_.set_dances(dances_);
+    last_dance_ = DanceId::none;
+    if (window_) {
+        formations_->ask_for_bodies(window_->dance_bodies());
+    }
+}
+
+DanceChoice::Dancers StageLoop::dancers() {
+    return {formations_->cast().front().body.repertoire.get(),
+            graph_ != nullptr ? graph_->stage().dancer : motion::DancerStatus{}};
+}
 
 // The graph has gone before. Where nothing was played, something else was said.
 StageLoop::~StageLoop() {
     const std::string line = recording_.stop(nullptr);
-    if (graph_ != nullptr && !line.empty()) {
+    if (has_run_ && !line.empty()) {
         say(line);
     }
 }
@@ -190,16 +226,30 @@ void StageLoop::keep_memory() {
 // Actions are bound anew for each file, as they act on its graph.
 StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     graph_ = &graph;
+    has_run_ = true;
     source_ = source;
     wish_.reset();
     told_dance_ = DanceId::none;
+    silent_since_.reset();
     staging_.begin_anew();
+    if (performance_) {
+        performance_->begin_anew();
+    }
     if (video_) {
         video_->begin_anew();
     }
     recording_.follow(graph);
     keep_memory();
     outputs_->follow(graph.feed());
+    const StageEnd end = run_until_end(graph);
+    // Nothing is asked of a graph that has gone.
+    live_actions_.detach();
+    graph_ = nullptr;
+    source_ = {};
+    return end;
+}
+
+StageEnd StageLoop::run_until_end(engine::LiveGraph& graph) {
     engine::GraphTarget target(graph);
     engine::ActionDispatcher actions([this](const std::string& line) { say(line); });
     // Volume and latency offset are carried over from the file before.
@@ -258,69 +308,31 @@ void StageLoop::draw_headless() {
     }
 }
 
-void StageLoop::draw_elsewhere(const engine::WindowView& view) {
+void StageLoop::draw_elsewhere(const engine::WindowView& given) {
+    engine::WindowView view = given;
+    view.performance = performance_.get();
+    const FilmedStage::Describe describe = [this](const engine::ShownMoment& shown,
+                                                  render::OverlayState& overlay) {
+        describe_moment(shown, *dances_, overlay);
+        this->describe(graph_->stage(), overlay);
+    };
     if (video_) {
-        video_->draw(*graph_, view, [this](render::OverlayState& overlay) {
-            describe(graph_->stage(), overlay);
-        });
+        video_->draw(*graph_, view, describe);
     }
-    FilmedStage::Describe describes;
-    if (options_.video.has_overlay) {
-        describes = [this](render::OverlayState& overlay) { describe(graph_->stage(), overlay); };
-    }
-    if (const auto drawn = recording_.draw(*graph_, view, describes); !drawn) {
+    if (const auto drawn = recording_.draw(
+            *graph_, view, options_.video.has_overlay ? describe : FilmedStage::Describe());
+        !drawn) {
         say("recording ended: " + drawn.error().message);
-    }
-}
-
-void StageLoop::toggle_recording() {
-    if (recording_.is_on()) {
-        say(recording_.stop(graph_));
-        return;
-    }
-    const Path file = engine::dated_file(engine::videos_folder(), ".mp4");
-    if (const auto started = recording_.start(file); !started) {
-        say(started.error().message);
-        return;
-    }
-    recording_.follow(*graph_);
-    say("recording " + file.string() + " (F9: stop)");
-}
-
-// Actions of this class, beside those of LiveActions and of the window.
-void StageLoop::bind(engine::ActionDispatcher& actions) {
-    live_actions_.bind(actions);
-    bind_playing(actions);
-    actions.on(Action::next_dance, [this](double) { select_next_dance(); });
-    actions.on(Action::keep_dance, [this](double) { keep_dance(); });
-    actions.on(Action::next_formation, [this](double) { ask_for_next_formation(); });
-    actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
-    if (window_) {
-        actions.on(Action::record, [this](double) { toggle_recording(); });
-    }
-}
-
-// What a file has, and not an input.
-void StageLoop::bind_playing(engine::ActionDispatcher& actions) {
-    engine::Playback* const playback = graph_->playback();
-    if (playback == nullptr) {
-        return;
-    }
-    actions.on(Action::next_file, [this](double) { go_on(); });
-    actions.on(Action::previous_file, [this](double) { go_back(); });
-    actions.on(Action::pause, [this](double) { toggle_pause(); });
-    if (!playback->player().can_seek()) {
-        actions.on(Action::seek,
-                   [this](double) { say("sound from a pipe cannot go back or ahead"); });
     }
 }
 
 // Dance and figure that a person keeps to are not those of one file.
 void StageLoop::carry_over() {
-    repeat_selected_dance();
+    choice_.brief_dancers();
     live_actions_.brief_dancers();
-    const motion::Repertoire& repertoire = *formations_.cast().front().body.repertoire;
-    const DanceId first = selected_dance_ == DanceId::none ? repertoire.first() : selected_dance_;
+    const motion::Repertoire& repertoire = *formations_->cast().front().body.repertoire;
+    const DanceId selected = choice_.selected();
+    const DanceId first = selected == DanceId::none ? repertoire.first() : selected;
     // Another dance has other figures.
     const motion::DanceLibrary* const dance =
         first == last_dance_ ? repertoire.of(last_dance_) : nullptr;
@@ -359,6 +371,7 @@ void StageLoop::advance(double /*seconds*/) {
     if (const auto trouble = recording_.take_trouble()) {
         say(*trouble);
     }
+    take_loaded();
     if (source_.each_picture) {
         source_.each_picture();
     }
@@ -370,7 +383,7 @@ void StageLoop::advance(double /*seconds*/) {
         say_detail("at the end of the last file");
     }
     const motion::DancerStatus& dancer = graph_->stage().dancer;
-    const auto change = formations_.poll(dancer.is_dancing ? dancer.dance : DanceId::none);
+    const auto change = formations_->poll(dancer.is_dancing ? dancer.dance : DanceId::none);
     if (!change) {
         say(change.error().message);
     } else if (*change == engine::Formations::Change::formation) {
@@ -396,126 +409,30 @@ bool StageLoop::is_finished() const {
 // At the end of the last file a window stays.
 bool StageLoop::has_ended() const {
     const engine::Playback* const playback = graph_->playback();
-    return window_ && source_.behind == StageSource::Behind::stay && playback != nullptr &&
-           playback->is_finished();
-}
-
-void StageLoop::go_on() {
-    if (window_ && source_.behind == StageSource::Behind::stay) {
-        say("there is no file after this one (Q quits)");
-    } else {
-        wish_ = StageEnd::next_file;
-    }
-}
-
-// A file that has ended plays again.
-void StageLoop::toggle_pause() {
-    engine::Playback& playback = *graph_->playback();
-    if (has_ended() && playback.player().can_seek()) {
-        playback.set_paused(false);
-        playback.seek(source_.start);
-    } else {
-        playback.set_paused(!playback.is_paused());
-        say_detail(playback.is_paused() ? "paused" : "playing on");
-    }
-}
-
-void StageLoop::seek_to(double seconds) {
-    if (engine::Playback* const playback = graph_->playback()) {
-        playback->seek(std::max(seconds, source_.start));
-    }
-}
-
-// What is clicked or dragged in the overlay.
-void StageLoop::use(render::OverlayControl control, double share) {
-    if (graph_->playback() == nullptr) {
-        return;
-    }
-    if (control == render::OverlayControl::play_sign) {
-        toggle_pause();
-    } else if (source_.duration) {
-        seek_to(share * *source_.duration);
-    }
-}
-
-// Goes back to the start of the section or, when it is close, to the file before.
-void StageLoop::go_back() {
-    engine::Playback& playback = *graph_->playback();
-    const bool is_far_in = playback.position_seconds() - source_.start > kStillTheStart;
-    if ((is_far_in || has_ended()) && playback.player().can_seek()) {
-        playback.seek(source_.start);
-    } else {
-        wish_ = StageEnd::previous_file;
-    }
-}
-
-void StageLoop::toggle_figure_view() {
-    render::View& view = window_->scene().view;
-    view = view == render::View::skin ? render::View::stick : render::View::skin;
-}
-
-// Selects the next dance of the list; after the last, the dance that is recognised again.
-void StageLoop::select_next_dance() {
-    if (settings_.dance != "auto") {
-        say(fmt::format("only {} is danced, as asked for: start without --dance for the others",
-                        settings_.dance));
-        return;
-    }
-    const bool is_recognized = selected_dance_ == DanceId::none;
-    const std::size_t next = is_recognized ? 0 : index_of(selected_dance_) + 1;
-    selected_dance_ = next < dances_->size() ? static_cast<DanceId>(next) : DanceId::none;
-    live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
-    const motion::DancerStatus& dancer = graph_->stage().dancer;
-    const bool is_danced_already = dancer.is_dancing && dancer.dance == selected_dance_;
-    say(engine::chosen_dance_line(
-        selected_dance_ == DanceId::none ? "" : dances_->name_of(selected_dance_),
-        is_danced_already));
-}
-
-// The dance that was chosen by D or by the settings, for whenever this song is played.
-void StageLoop::keep_dance() {
-    if (!source_.keep_dance) {
-        say("no dance is kept: what is heard is no file that could be found again");
-        return;
-    }
-    const bool is_asked_for = settings_.dance != "auto";
-    say(source_.keep_dance(selected_dance_ != DanceId::none ? dances_->name_of(selected_dance_)
-                           : is_asked_for                   ? std::string_view(settings_.dance)
-                                                            : std::string_view()));
-}
-
-// Dancers who replaced others start with the recognised dance and must be told the selected one.
-void StageLoop::repeat_selected_dance() {
-    if (selected_dance_ != DanceId::none) {
-        live_actions_.ask(DancerKind::select_dance, static_cast<double>(selected_dance_));
-    }
-}
-
-void StageLoop::ask_for_next_formation() {
-    say(fmt::format("formation {} (E: another one)", formations_.ask_for_next()));
+    return window_ && playback != nullptr && is_last_file() && playback->is_finished();
 }
 
 // Replaces the dancers by the new formation; what was asked of those before holds for them, too.
 void StageLoop::change_formation() {
-    if (const auto replaced = graph_->replace_dancers(formations_.cast()); !replaced) {
+    if (const auto replaced = graph_->replace_dancers(formations_->cast()); !replaced) {
         say(replaced.error().message);
         return;
     }
     live_actions_.brief_dancers();
-    repeat_selected_dance();
+    choice_.brief_dancers();
     // Relative to the present distance, so that a person's zoom is kept.
     if (window_) {
-        window_->scene().camera.zoom(engine::distance_for(formations_.name()) /
+        window_->scene().camera.zoom(engine::distance_for(formations_->name()) /
                                      engine::distance_for(formation_));
     }
-    formation_ = formations_.name();
+    formation_ = formations_->name();
     say(fmt::format("dancing: {}", formation_));
 }
 
 // The same dance goes on, solved for the bodies that are seen.
 void StageLoop::change_bodies() {
     const auto replaced =
-        graph_->replace_dancers(formations_.cast(), engine::MotionStage::Entry::onward);
+        graph_->replace_dancers(formations_->cast(), engine::MotionStage::Entry::onward);
     replaced ? say_detail("the dance fits the avatars that are shown now")
              : say(replaced.error().message);
 }
@@ -539,10 +456,11 @@ void StageLoop::say_told_dance() {
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
-    formations_.ask_for_bodies(picture.bodies.dance_bodies());
+    formations_->ask_for_bodies(picture.bodies.dance_bodies());
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
-    const engine::ShownMoment shown = shown_moment(stage, moment);
+    const engine::ShownMoment danced = shown_moment(stage, moment);
+    const engine::ShownMoment shown = performance_ ? performance_->at(danced) : danced;
     staging_.set_picture(
         static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),
         picture.bodies.size());
@@ -576,12 +494,28 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.latency_ms = to_seconds(graph_->heard_after()) * 1e3;
         // With an input the latency is that of the analysis: nothing is played.
     } else {
+        describe_silence(stage, overlay);
         overlay.latency_ms = to_seconds(graph_->analysis().taken_until() - stage.music.time) * 1e3;
     }
     const engine::LiveCounters counters = graph_->counters();
     overlay.drops = counters.dropped_states;
     overlay.xruns = counters.xruns;
     overlay.late = counters.underruns;
+}
+
+// Who hears nothing wants to know what is listened to.
+void StageLoop::describe_silence(const engine::StageState& stage, render::OverlayState& overlay) {
+    constexpr Nanos kPatience = std::chrono::seconds(3);
+    const HostTime now = HostClock::now();
+    if (!stage.music.is_silent) {
+        silent_since_.reset();
+        return;
+    }
+    silent_since_ = silent_since_.value_or(now);
+    if (now - *silent_since_ > kPatience && overlay.message.empty()) {
+        silence_ = "nothing is heard from " + graph_->device().name + "   (F2: another source)";
+        overlay.message = silence_;
+    }
 }
 
 engine::LiveGraphConfig sound_config(const engine::Settings& settings) {

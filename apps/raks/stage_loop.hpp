@@ -1,15 +1,21 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/dance_choice.hpp"
+#include "apps/raks/dance_setup.hpp"
+#include "apps/raks/play_queue.hpp"
 #include "apps/raks/show_recording.hpp"
+#include "apps/raks/source_choice.hpp"
 #include "apps/raks/video_show.hpp"
 #include "base/expected.hpp"
 #include "engine/control/action_dispatcher.hpp"
@@ -17,14 +23,30 @@
 #include "engine/live/live_graph.hpp"
 #include "engine/outputs/outputs.hpp"
 #include "engine/setup/formations.hpp"
+#include "engine/show/clip_performance.hpp"
 #include "engine/show/staging.hpp"
 #include "engine/show/window_loop.hpp"
 #include "render/gl/offscreen.hpp"
 
 namespace raks::apps {
 
-/// Why run() ended.
-enum class StageEnd { finished, next_file, previous_file, quit };
+/// Why run() ended. `chosen_file`: the queue has gone to another file; `wish`: see take_wish().
+enum class StageEnd : std::uint8_t { finished, next_file, previous_file, chosen_file, wish, quit };
+
+/// What a person asks for in the window that a stage does not do by itself.
+struct StageWish {
+    /// What of the show is to be another one.
+    enum class Kind : std::uint8_t {
+        music,   ///< `files` play
+        input,   ///< what the input `name` hears is danced to
+        output,  ///< music plays on the loudspeaker `name`
+        dances,  ///< `setup` takes over; `name` is danced
+    };
+    Kind kind{};                             ///< which
+    std::vector<Path> files = {};            ///< files, folders, playlists
+    std::string name = {};                   ///< of a device or a dance
+    std::shared_ptr<StageSetup> setup = {};  ///< another set of dances
+};
 
 /// What is playing, for the overlay.
 struct StageSource {
@@ -37,6 +59,7 @@ struct StageSource {
     double start = 0.0;                             ///< where in the file it began, in seconds
     Behind behind = Behind::end;                    ///< the file's end
     std::function<void()> each_picture = {};        ///< called with every picture; may be empty
+    PlayQueue* queue = nullptr;                     ///< the files that play; null: it is no file
     /// Who says which dance it is where that is not heard: "as the file says".
     std::string_view teller = "as the file says";
     /// Keeps a dance for what is playing and returns the line that says so, or why not; empty: it
@@ -57,13 +80,24 @@ class StageLoop final : private engine::WindowContent {
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
         VideoArguments video = {};                     ///< who has the pictures, too
     };
-    /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme
-    /// or camera, an output that cannot be opened.
+    /// A window that shows the stage while something is loaded, and the look that it has.
+    struct OpenedWindow {
+        engine::Look look;
+        engine::WindowLoop window;
+    };
+    /// Opens the window. Errors: no display, no OpenGL, an unknown theme or camera, an avatar that
+    /// cannot be used.
+    [[nodiscard]] static Expected<OpenedWindow> open_window(const engine::Settings& settings,
+                                                            const WindowWish& wish);
+
+    /// `settings` and `setup` must outlive this. `opened`: the window that is open already; none:
+    /// it is opened where one is asked for. Errors: those of open_window; an output that cannot be
+    /// opened.
     [[nodiscard]] static Expected<std::unique_ptr<StageLoop>> create(
         const engine::Settings& settings,
         const Options& options,
-        std::shared_ptr<const DanceList> dances,
-        engine::Formations& formations);
+        StageSetup& setup,
+        std::optional<OpenedWindow> opened = std::nullopt);
     /// Not copied: actions and window hold references to it.
     StageLoop(const StageLoop&) = delete;
     StageLoop& operator=(const StageLoop&) = delete;  ///< likewise
@@ -72,6 +106,13 @@ class StageLoop final : private engine::WindowContent {
     /// Runs until the music ends, a person or a signal ends it, or the time is up. `graph` must
     /// outlive the call. Returns why it ended.
     [[nodiscard]] StageEnd run(engine::LiveGraph& graph, const StageSource& source);
+
+    /// What the person asked for when run() ended for a wish; once.
+    [[nodiscard]] StageWish take_wish() { return std::exchange(asked_, {}); }
+    /// Other dances take the place of those before; between two runs. `setup` must outlive this.
+    void adopt(StageSetup& setup);
+    /// Which dance a person has chosen.
+    [[nodiscard]] DanceChoice& dance_choice() noexcept { return choice_; }
 
     /// Between two files: whether a person or a signal has asked for the end.
     [[nodiscard]] bool is_end_wanted();
@@ -82,33 +123,44 @@ class StageLoop final : private engine::WindowContent {
     void show(const std::string& line);
 
  private:
-    StageLoop(const engine::Settings& settings,
-              const Options& options,
-              std::shared_ptr<const DanceList> dances,
-              engine::Formations& formations);
+    StageLoop(const engine::Settings& settings, const Options& options, StageSetup& setup);
 
     void advance(double seconds) override;
     void draw_elsewhere(const engine::WindowView& view) override;
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
     void use(render::OverlayControl control, double share) override;
+    bool take_dropped(const std::vector<std::string>& paths) override;
     [[nodiscard]] bool is_finished() const override;
     [[nodiscard]] bool has_director() const override { return true; }
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
     void say_told_dance();
 
+    // Actions (stage_actions.cpp), lists and what is dropped (stage_requests.cpp).
     void bind(engine::ActionDispatcher& actions);
+    void toggle_recording();
+    [[nodiscard]] bool is_last_file() const;
+    void bind_playing(engine::ActionDispatcher& actions);
+    void bind_choices(engine::ActionDispatcher& actions);
+    [[nodiscard]] SourceChoice::Means means_of_sources();
+    void say_fault(const Expected<void>& done);
+    void ask(StageWish wish);
+    void play_dropped(const std::vector<Path>& files);
+    void learn_dropped(const Path& place);
+    void load_clip(const Path& file);
+    void take_loaded();
+    void stop_performing();
     [[nodiscard]] const std::string& source_name() const;
-    [[nodiscard]] Expected<void> open_pictures(const engine::Look& look);
+    [[nodiscard]] Expected<void> open_pictures(std::optional<OpenedWindow> opened);
+    [[nodiscard]] Expected<void> open_studio();
+    [[nodiscard]] StageEnd run_until_end(engine::LiveGraph& graph);
     void run_headless();
     void draw_headless();
-    void toggle_recording();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
-    void select_next_dance();
+    void describe_silence(const engine::StageState& stage, render::OverlayState& overlay);
+    [[nodiscard]] DanceChoice::Dancers dancers();
     void keep_dance();
-    void repeat_selected_dance();
     void say_losses(const engine::LiveCounters& lost) const;
     void toggle_figure_view();
-    void bind_playing(engine::ActionDispatcher& actions);
     void go_back();
     void go_on();
     void toggle_pause();
@@ -117,14 +169,13 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] bool has_ended() const;
     void carry_over();
     void note_figure(engine::LiveGraph& graph);
-    void ask_for_next_formation();
     void change_formation();
     void change_bodies();
 
-    engine::Settings settings_;
+    const engine::Settings& settings_;
     Options options_;
     std::shared_ptr<const DanceList> dances_;
-    engine::Formations& formations_;
+    engine::Formations* formations_;
     // Without a window, where the pictures go elsewhere. The context lives longest.
     struct Studio {
         render::OffscreenContext context;
@@ -139,17 +190,26 @@ class StageLoop final : private engine::WindowContent {
     engine::Staging staging_;
     engine::LiveActions live_actions_;
     std::unique_ptr<engine::Outputs> outputs_;
-    std::string formation_;                   // whose distance the camera has
-    DanceId selected_dance_ = DanceId::none;  // none: the recognised one
+    DanceChoice choice_;
+    SourceChoice sources_;
+    std::string formation_;  // whose distance the camera has
     // What was danced when the last file ended; kept with K, it goes on with the next file.
     DanceId last_dance_ = DanceId::none;
     DanceId told_dance_ = DanceId::none;  // by the file, as last said
     std::string last_figure_;
+    // Dropped, and on its way.
+    std::future<Expected<LoadedDance>> learning_;
+    std::future<Expected<std::unique_ptr<engine::ClipPerformance>>> clip_loading_;
+    std::unique_ptr<engine::ClipPerformance> performance_;  // in the dance's place; or null
+    StageWish asked_;
+    std::string silence_;  // message while an input is silent
+    std::optional<HostTime> silent_since_;
     // While run() runs.
     engine::LiveGraph* graph_ = nullptr;
     StageSource source_;
     std::optional<StageEnd> wish_;
     bool had_ended_ = false;
+    bool has_run_ = false;
     bool has_said_unlocked_ = false;
 };
 

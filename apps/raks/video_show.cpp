@@ -7,8 +7,7 @@
 namespace raks::apps {
 
 Expected<std::unique_ptr<VideoShow>> VideoShow::create(const VideoArguments& asked,
-                                                       const engine::Settings& settings,
-                                                       std::shared_ptr<const DanceList> dances) {
+                                                       const engine::Settings& settings) {
     const auto size = engine::parse_size(settings.size);
     if (!size) {
         return fail(size.error());
@@ -20,7 +19,7 @@ Expected<std::unique_ptr<VideoShow>> VideoShow::create(const VideoArguments& ask
         return fail(output.error());
     }
     return std::unique_ptr<VideoShow>(
-        new VideoShow(asked, FilmedStage(settings, *size, std::move(dances)), std::move(*output)));
+        new VideoShow(asked, FilmedStage(settings, *size), std::move(*output)));
 }
 
 VideoShow::VideoShow(const VideoArguments& asked,

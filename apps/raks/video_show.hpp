@@ -7,7 +7,6 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/filmed_stage.hpp"
-#include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "engine/live/live_graph.hpp"
 #include "engine/outputs/video_output.hpp"
@@ -21,9 +20,7 @@ class VideoShow {
  public:
     /// Opens the outputs that are asked for. Errors: one that cannot be opened.
     [[nodiscard]] static Expected<std::unique_ptr<VideoShow>> create(
-        const VideoArguments& asked,
-        const engine::Settings& settings,
-        std::shared_ptr<const DanceList> dances);
+        const VideoArguments& asked, const engine::Settings& settings);
 
     /// The next picture is of another stream.
     void begin_anew() { stage_.begin_anew(); }

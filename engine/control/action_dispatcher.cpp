@@ -5,9 +5,20 @@
 #include <fmt/format.h>
 
 namespace raks::engine {
+namespace {
+
+std::string not_here(const ActionRow& row) {
+    return fmt::format("action {}: there is nothing here that does it", row.name);
+}
+
+}  // namespace
 
 void ActionDispatcher::on(Action action, Handler handler) {
     handlers_[static_cast<std::size_t>(action)] = std::move(handler);
+}
+
+void ActionDispatcher::on_text(Action action, TextHandler handler) {
+    text_handlers_[static_cast<std::size_t>(action)] = std::move(handler);
 }
 
 bool ActionDispatcher::handles(Action action) const noexcept {
@@ -16,6 +27,9 @@ bool ActionDispatcher::handles(Action action) const noexcept {
 
 Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
     const ActionRow& row = row_of(request.action);
+    if (!request.text.empty()) {
+        return dispatch_text(row, request.text);
+    }
     // Checked before the handler is looked up: a bad value is a fault even where nothing handles
     // the action.
     const auto taken = take_value(row, request.value);
@@ -23,7 +37,7 @@ Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
         return fail(taken.error());
     }
     if (!handles(request.action)) {
-        return fail(fmt::format("action {}: there is nothing here that does it", row.name));
+        return fail(not_here(row));
     }
     // The remark comes before the handler, whose own lines may refer to the clamped value.
     if (!taken->remark.empty()) {
@@ -33,13 +47,28 @@ Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
     return {};
 }
 
-Expected<void> ActionDispatcher::dispatch(std::string_view name, double value) const {
+Expected<void> ActionDispatcher::dispatch_text(const ActionRow& row,
+                                               const std::string& text) const {
+    if (auto checked = check_text(row, text); !checked) {
+        return checked;
+    }
+    const TextHandler& handler = text_handlers_[static_cast<std::size_t>(row.action)];
+    if (!handler) {
+        return fail(not_here(row));
+    }
+    handler(text);
+    return {};
+}
+
+Expected<void> ActionDispatcher::dispatch(std::string_view name,
+                                          double value,
+                                          const std::string& text) const {
     // A remote control names actions as text; from here on it is the same request as a key's.
     const auto row = find_action(name);
     if (!row) {
         return fail(row.error());
     }
-    return dispatch({(*row)->action, value});
+    return dispatch({(*row)->action, value, text});
 }
 
 }  // namespace raks::engine

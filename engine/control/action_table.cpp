@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "base/suggest.hpp"
+#include "base/utf8.hpp"
+#include "engine/setup/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -26,10 +28,30 @@ constexpr ActionValue choice(double highest) {
 constexpr std::string_view kSeekNear = "back, forward 5 s";
 constexpr std::string_view kSeekFar = "back, forward 30 s";
 
-// The table. A row gives: action, name for machines, group, help, value, keys. Order: that of the
-// enumeration, which the static_assert below checks.
+// The table. A row gives: action, name for machines, group, help, value, keys, text. Order: that of
+// the enumeration, which the static_assert below checks.
 constexpr std::array<ActionRow, kActionCount> kTable = {{
     // playing
+    {Action::choose_source,
+     "source",
+     ActionGroup::playing,
+     "what is listened to",
+     {},
+     {{{Key::f2, "F2"}}},
+     TextKind::device},
+    {Action::choose_output,
+     "loudspeaker",
+     ActionGroup::playing,
+     "which loudspeaker plays",
+     {},
+     {},
+     TextKind::device},
+    {Action::show_queue,
+     "queue",
+     ActionGroup::playing,
+     "the files that play",
+     {},
+     {{{.key = Key::f2, .name = "Shift+F2", .has_shift = true}}}},
     {Action::pause, "pause", ActionGroup::playing, "pause, go on", {}, {{{Key::space, "Space"}}}},
     {Action::seek,
      "seek",
@@ -143,6 +165,27 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "another dance",
      {},
      {{{key_of(U'd'), "D"}}}},
+    {Action::choose_dance,
+     "dance",
+     ActionGroup::dance,
+     "dances and figures",
+     {},
+     {{{Key::f4, "F4"}}},
+     TextKind::dance},
+    {Action::forbid_dance,
+     "forbid-dance",
+     ActionGroup::dance,
+     "a dance is danced no more",
+     {},
+     {},
+     TextKind::dance},
+    {Action::allow_dance,
+     "allow-dance",
+     ActionGroup::dance,
+     "a dance may be danced again",
+     {},
+     {},
+     TextKind::dance},
     {Action::keep_dance,
      "keep-dance",
      ActionGroup::dance,
@@ -162,6 +205,20 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      {},
      {{{key_of(U'a'), "A"}}}},
     // view
+    {Action::choose_preset,
+     "preset",
+     ActionGroup::view,
+     "presets",
+     {},
+     {{{Key::f3, "F3"}}},
+     TextKind::preset},
+    {Action::save_preset,
+     "save-preset",
+     ActionGroup::view,
+     "keep this as a preset",
+     {},
+     {{{.key = Key::f3, .name = "Shift+F3", .has_shift = true}}},
+     TextKind::preset},
     {Action::toggle_figure_view,
      "figure-view",
      ActionGroup::view,
@@ -192,13 +249,20 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      ActionGroup::view,
      "stage, transparent, key",
      {},
-     {{{key_of(U'x'), "X"}}}},
+     {{{key_of(U'x'), "X"}}},
+     TextKind::backdrop},
     {Action::toggle_overlay,
      "overlay",
      ActionGroup::view,
      "hide, show this overlay",
      {},
      {{{key_of(U'o'), "O"}, {Key::tab, "Tab"}}}},
+    {Action::clean_picture,
+     "clean",
+     ActionGroup::view,
+     "nothing but the picture",
+     {},
+     {{{Key::f10, "F10"}}}},
     // window
     {Action::toggle_fullscreen,
      "fullscreen",
@@ -206,6 +270,12 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "full screen",
      {},
      {{{key_of(U'f'), "F"}, {Key::f11, "F11"}}}},
+    {Action::next_monitor,
+     "next-monitor",
+     ActionGroup::window,
+     "full screen on the next",
+     {},
+     {{{.key = Key::f11, .name = "Shift+F11", .has_shift = true}}}},
     {Action::toggle_border,
      "border",
      ActionGroup::window,
@@ -306,7 +376,7 @@ std::optional<ActionRequest> request_of(const KeyEvent& event) noexcept {
                 const bool repeats = row.value && row.value->kind == ValueKind::step;
                 return event.is_repeat && !repeats
                            ? std::nullopt
-                           : std::optional(ActionRequest{row.action, key.value});
+                           : std::optional(ActionRequest{row.action, key.value, {}});
             }
         }
     }
@@ -342,6 +412,26 @@ Expected<TakenValue> take_value(const ActionRow& row, double value) {
                                   row.name,
                                   with_unit(value, range.unit),
                                   with_unit(nearest, range.unit))};
+}
+
+Expected<void> check_text(const ActionRow& row, std::string_view text) {
+    constexpr std::size_t kLongest = 255;
+    if (row.text == TextKind::none) {
+        return fail(fmt::format("action {}: it takes no name", row.name));
+    }
+    const bool is_line = std::none_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20U || c == '\x7f';
+    });
+    if (text.empty() || text.size() > kLongest || !is_line || !is_utf8(text)) {
+        return fail(fmt::format(
+            "action {}: a name is one line of 1 to {} bytes in UTF-8", row.name, kLongest));
+    }
+    if (row.text == TextKind::backdrop) {
+        if (const auto parsed = parse_backdrop(text); !parsed) {
+            return fail(fmt::format("action {}: {}", row.name, parsed.error().message));
+        }
+    }
+    return {};
 }
 
 std::string_view symbol_of(ValueUnit unit) noexcept {

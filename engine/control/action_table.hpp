@@ -20,6 +20,9 @@ namespace raks::engine {
 /// Everything that can be asked for; the order is that of the table and of the help panel.
 enum class Action : std::uint8_t {
     // playing
+    choose_source,
+    choose_output,
+    show_queue,
     pause,
     seek,
     next_file,
@@ -40,10 +43,15 @@ enum class Action : std::uint8_t {
     select_figure,
     keep_figure,
     next_dance,
+    choose_dance,
+    forbid_dance,
+    allow_dance,
     keep_dance,
     next_formation,
     next_avatar,
     // view
+    choose_preset,
+    save_preset,
     toggle_figure_view,
     next_camera,
     select_camera,
@@ -51,8 +59,10 @@ enum class Action : std::uint8_t {
     next_theme,
     next_backdrop,
     toggle_overlay,
+    clean_picture,
     // window
     toggle_fullscreen,
+    next_monitor,
     toggle_border,
     toggle_on_top,
     screenshot,
@@ -61,12 +71,14 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 35;
+inline constexpr std::size_t kActionCount = 45;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {
     Action action{};     ///< what is asked for
     double value = 0.0;  ///< in the unit of the action's row; ignored by an action without a value
+    std::string text{};  ///< as the row's; empty: none, and the action asks for it or goes on to
+                         ///< the next one
 
     friend bool operator==(const ActionRequest&, const ActionRequest&) = default;
 };
@@ -91,6 +103,15 @@ struct ActionValue {
     double highest = 0.0;  ///< the largest value that is taken
 };
 
+/// What the text of an action names.
+enum class TextKind : std::uint8_t {
+    none,      ///< the action takes no text
+    device,    ///< an input or a loudspeaker, as `--device` and `--output` take it
+    dance,     ///< one of `raks dances`
+    preset,    ///< a preset, as `--preset` takes it
+    backdrop,  ///< as `--backdrop` takes it: stage, transparent, or a colour
+};
+
 /// A key that asks for an action, and the value that it gives. Shift matters only for keys without
 /// a character of their own.
 struct ActionKey {
@@ -111,7 +132,9 @@ struct ActionRow {
     ActionGroup group{};      ///< group of the help panel
     std::string_view help{};  ///< one line for people: "half the tempo"
     std::optional<ActionValue> value = std::nullopt;  ///< none: it takes no value
+    /// Empty for what only a remote control or a list asks for.
     std::array<ActionKey, kMostKeys> key_slots = {};  ///< those in use come first
+    TextKind text = TextKind::none;                   ///< what its text names
 
     /// The keys that ask for it; no key asks for two things.
     [[nodiscard]] std::span<const ActionKey> keys() const noexcept;
@@ -137,6 +160,11 @@ struct TakenValue {
 /// Checks a value against the row's range. Errors: NaN; a choice that is not one of the row's
 /// numbers. A step out of range, infinite too, is clamped and remarked upon.
 [[nodiscard]] Expected<TakenValue> take_value(const ActionRow& row, double value);
+
+/// Checks a text against the row. Errors: the row takes none; longer than 255 bytes, control
+/// characters or no UTF-8 in it; no backdrop where the row takes one. Whether there is a device, a
+/// dance or a preset of that name is for the handler to say.
+[[nodiscard]] Expected<void> check_text(const ActionRow& row, std::string_view text);
 
 /// How a unit is written behind a value: "s", "ms", "BPM"; empty for shares and numbers.
 [[nodiscard]] std::string_view symbol_of(ValueUnit unit) noexcept;

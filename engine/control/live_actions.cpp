@@ -129,7 +129,11 @@ bool LiveActions::command(Kind kind, double value) {
     return is_queued;
 }
 
-void LiveActions::ask(DancerKind kind, double value) { command(kind, value); }
+void LiveActions::ask(DancerKind kind, double value) {
+    if (target_ != nullptr) {
+        command(kind, value);
+    }
+}
 
 void LiveActions::pause(double) { target_->toggle_pause(); }
 

@@ -75,6 +75,8 @@ class LiveActions {
     /// Actions act upon `target` from here on. It gets the volume and, if an action has changed it,
     /// the latency offset. It must outlive the next attach() or the last dispatch.
     void attach(LiveTarget& target);
+    /// The target is gone: until the next one nobody is asked for anything.
+    void detach() noexcept { target_ = nullptr; }
     /// Registers these actions with `actions`, those of a file where the target plays one: attach()
     /// comes before. This object must not be moved afterwards.
     void bind(ActionDispatcher& actions);
@@ -82,7 +84,7 @@ class LiveActions {
     /// figure).
     void brief_dancers();
 
-    /// Asks the dancers of the target; says so where too much was asked at once.
+    /// Asks the dancers of the target, if there is one; says so where too much was asked at once.
     void ask(motion::DancerCommand::Kind kind, double value);
 
     /// Whether the dancers are to keep to their figure.

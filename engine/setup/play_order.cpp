@@ -63,6 +63,13 @@ void PlayOrder::go_back() {
     }
 }
 
+// Also where the files are mixed: who adds one wants to hear it after the others.
+void PlayOrder::append(std::size_t first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        order_.push_back(first + i);
+    }
+}
+
 void PlayOrder::drop_current() {
     if (at_ >= order_.size()) {
         return;

@@ -36,6 +36,14 @@ class PlayOrder {
     void go_on();
     /// Back to the file before; from the first one nowhere, or around.
     void go_back();
+    /// All files in the order in which they play; those that were left out are not among them.
+    [[nodiscard]] const std::vector<std::size_t>& files() const noexcept { return order_; }
+    /// Where in files() the current one stands; files().size(): at the end.
+    [[nodiscard]] std::size_t place() const noexcept { return at_; }
+    /// Goes to a place of files(); one behind its end is the end.
+    void go_to(std::size_t place) noexcept { at_ = place < order_.size() ? place : order_.size(); }
+    /// Puts `count` more files at the end; their numbers follow `first`.
+    void append(std::size_t first, std::size_t count);
     /// Leaves the current file out from here on, and goes on to the next.
     void drop_current();
     /// Leaves the file that follows out from here on. There must be one: next().

@@ -112,7 +112,7 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         last = now;
         change_avatar();
         content.draw_elsewhere(
-            {drawing_, scene_, {camera_name_, preset(content), is_camera_held_}});
+            {drawing_, scene_, {camera_name_, preset(content), is_camera_held_}, nullptr});
         draw(content);
         // Checked after the picture, so that a screenshot asked for with the last key is still
         // taken.
@@ -162,6 +162,13 @@ void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
 void WindowLoop::bind_window(ActionDispatcher& actions) {
     actions.on(Action::next_theme, [this](double) { go_to_next_theme(); });
     actions.on(Action::next_backdrop, [this](double) { go_to_next_backdrop(); });
+    actions.on_text(Action::next_backdrop, [this](const std::string& text) {
+        // The table has checked it.
+        if (const auto backdrop = parse_backdrop(text)) {
+            set_backdrop(scene_, *backdrop);
+        }
+    });
+    actions.on(Action::clean_picture, [this](double) { toggle_clean(); });
     actions.on(Action::toggle_fullscreen, [this](double) { window_.toggle_fullscreen(); });
     actions.on(Action::toggle_border, [this](double) {
         say(window_.toggle_border() ? "the window has its frame"
@@ -198,17 +205,29 @@ void WindowLoop::handle(const render::WindowEvent& event,
         handle(*drag, content);
     } else if (const auto* button = std::get_if<render::MouseButtonEvent>(&event)) {
         handle(*button, content, actions);
-    } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event)) {
+    } else if (const auto* scroll = std::get_if<render::ScrollEvent>(&event);
+               scroll != nullptr && list_.is_open()) {
+        list_.scroll(static_cast<double>(scroll->dy));
+    } else if (scroll != nullptr) {
         move_camera(scene_.camera, *scroll);
         is_camera_held_ = true;
     } else if (const auto* drop = std::get_if<render::DropEvent>(&event)) {
-        handle(*drop, content);
+        if (!content.take_dropped(drop->paths)) {
+            handle(*drop, content);
+        }
     }
 }
 
 void WindowLoop::handle(const KeyEvent& key,
                         WindowContent& content,
                         const ActionDispatcher& actions) {
+    if (list_.handle(key)) {
+        return;
+    }
+    if (key.key == Key::escape && help_.is_open()) {
+        help_.close();
+        return;
+    }
     // The content's own keys shadow those of the table.
     if (content.handle(key)) {
         return;
@@ -230,8 +249,19 @@ void WindowLoop::handle(const render::MouseButtonEvent& button,
     is_position_held_ = false;
     is_click_taken_ = false;
     pointer_x_ = button.x;
+    const bool is_click = button.is_down && button.button == render::MouseButton::left;
+    const auto spot = controls_.spot_at(button.x, button.y);
+    if (spot || (is_click && list_.is_open())) {
+        is_click_taken_ = true;
+        if (is_click && spot) {
+            click_panel(*spot, content, actions);
+        } else if (is_click) {
+            list_.close();
+        }
+        return;
+    }
     const auto control = controls_.at(button.x, button.y);
-    if (!button.is_down || button.button != render::MouseButton::left || !control) {
+    if (!is_click || !control) {
         return;
     }
     is_click_taken_ = true;
@@ -241,6 +271,19 @@ void WindowLoop::handle(const render::MouseButtonEvent& button,
     }
     is_position_held_ = *control == render::OverlayControl::position;
     content.use(*control, controls_.share_at(pointer_x_));
+}
+
+// A key of the list is pressed by a click on it.
+void WindowLoop::click_panel(const render::OverlaySpot& spot,
+                             WindowContent& content,
+                             const ActionDispatcher& actions) {
+    if (list_.is_open()) {
+        list_.click(spot);
+    } else if (spot.part == render::PanelPart::keys_head) {
+        toggle_help(content, actions);
+    } else if (const auto key = help_.key_at(spot)) {
+        handle(*key, content, actions);
+    }
 }
 
 void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& content) {
@@ -271,7 +314,7 @@ void WindowLoop::handle(const render::DropEvent& drop, const WindowContent& cont
         models.resize(kMostAvatars);
     }
     if (!models.empty()) {
-        ask_for_avatars(std::move(models));
+        wear(std::move(models));
     }
 }
 
@@ -301,12 +344,18 @@ void WindowLoop::draw(WindowContent& content) {
 
 // The loop's own parts of the overlay: rate, help and message.
 void WindowLoop::draw_overlay(render::OverlayState overlay, const render::FrameTarget& target) {
+    if (is_clean_) {
+        controls_ = {};
+        return;
+    }
     overlay.fps = fps_;
-    overlay.help = help_;
+    help_.show(overlay);
+    overlay.list = list_.look();
     if (HostClock::now() < message_until_) {
         overlay.message = message_;
     }
     controls_ = drawing_.overlay.draw(overlay, overlay_view_, target, window_.content_scale());
+    help_.set_pages(controls_.help_pages);
 }
 
 // Exponential mean: single late pictures do not make the number flicker.
@@ -326,11 +375,9 @@ void WindowLoop::save_screenshot() {
 
 // The list is made when it is opened: what the actions handle depends on the content.
 void WindowLoop::toggle_help(const WindowContent& content, const ActionDispatcher& actions) {
-    if (help_.empty()) {
-        help_ = help_rows(content.own_keys(), actions);
-    } else {
-        help_.clear();
-    }
+    is_clean_ = false;
+    list_.close();
+    help_.turn(help_rows(content.own_keys(), actions));
     // The help lies on the cards' layer and would stay invisible while that is hidden.
     if (options_.cards != Cards::none) {
         overlay_view_ = render::OverlayView::shown;
@@ -341,7 +388,26 @@ void WindowLoop::toggle_overlay() {
     const bool is_bare = overlay_view_ == render::OverlayView::hidden;
     overlay_view_ = is_bare ? render::OverlayView::shown : render::OverlayView::hidden;
     // Hiding everything closes the help, too.
-    help_.clear();
+    help_.close();
+    is_clean_ = false;
+}
+
+void WindowLoop::toggle_clean() {
+    is_clean_ = !is_clean_;
+    help_.close();
+    list_.close();
+}
+
+void WindowLoop::toggle_list(std::string_view name,
+                             std::size_t page,
+                             const std::function<std::unique_ptr<ListOffer>()>& offer) {
+    help_.close();
+    is_clean_ = false;
+    if (list_.name() == name && list_.page() == page) {
+        list_.close();
+    } else {
+        list_.open(offer(), name, page);
+    }
 }
 
 // The preset is applied anew, also after the mouse has moved the camera.
@@ -422,10 +488,10 @@ void WindowLoop::go_to_next_avatar() {
                    std::back_inserter(names),
                    [](const std::filesystem::path& file) { return file.string(); });
     const std::vector<std::string_view> views(names.begin(), names.end());
-    ask_for_avatars({std::string(name_after(avatar_name_, views))});
+    wear({std::string(name_after(avatar_name_, views))});
 }
 
-void WindowLoop::ask_for_avatars(std::vector<std::string> names) {
+void WindowLoop::wear(std::vector<std::string> names) {
     avatar_name_ = names.front();
     const std::string first = printable(std::filesystem::path(avatar_name_).filename().string());
     show(names.size() == 1 ? "loading " + first
@@ -462,26 +528,6 @@ render::Camera WindowLoop::preset(const WindowContent& content) const {
         camera.orbit(0.0F, render::Camera::kMaxPitch);
     }
     return content.framed(camera_for(camera, drawing_.bodies.size()));
-}
-
-std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
-                                       const ActionDispatcher& actions) {
-    // True for a key that one of the content's own rows names.
-    const auto is_own = [own](const std::string& key) {
-        return std::any_of(own.begin(), own.end(), [&](const render::HelpRow& row) {
-            return std::find(row.keys.begin(), row.keys.end(), key) != row.keys.end();
-        });
-    };
-    std::vector<render::HelpRow> rows = std::move(own);
-    for (HelpLine& line : help_lines([&](Action action) { return actions.handles(action); })) {
-        // A line of the table that loses all its keys to the content is left out.
-        std::erase_if(line.keys, is_own);
-        if (!line.keys.empty()) {
-            rows.push_back(
-                {std::string(title_of(line.group)), std::move(line.keys), std::string(line.text)});
-        }
-    }
-    return rows;
 }
 
 }  // namespace raks::engine

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,9 @@
 #include "base/time.hpp"
 #include "engine/control/action_dispatcher.hpp"
 #include "engine/show/avatar_change.hpp"
+#include "engine/show/clip_performance.hpp"
+#include "engine/show/help_list.hpp"
+#include "engine/show/list_panel.hpp"
 #include "engine/show/picture.hpp"
 #include "engine/show/show.hpp"
 #include "render/gl/frame_target.hpp"
@@ -37,6 +42,8 @@ struct WindowView {
     Drawing& drawing;            ///< renderer, bodies, overlay
     const render::Scene& scene;  ///< as the window has it now
     CameraChoice camera;         ///< who moves the scene's camera
+    /// What is performed in the dance's place; null: the dance is seen.
+    ClipPerformance* performance = nullptr;
 };
 
 /// What a window shows: the stage, a clip, a dance that is being written. The loop calls it.
@@ -50,6 +57,9 @@ class WindowContent {
     /// Called when something of the overlay is clicked, and while it is dragged; the list of keys
     /// is the loop's own. `share`: of the file, [0, 1], where the position is meant.
     virtual void use(render::OverlayControl /*control*/, double /*share*/) {}
+    /// Files were dropped on the window. False: the loop takes models among them as avatars, and
+    /// says of others that it does not.
+    virtual bool take_dropped(const std::vector<std::string>& /*paths*/) { return false; }
     /// Help lines of the keys that handle() uses.
     [[nodiscard]] virtual std::vector<render::HelpRow> own_keys() const { return {}; }
 
@@ -116,6 +126,16 @@ class WindowLoop {
     /// meanwhile waits for the next content.
     [[nodiscard]] bool is_end_wanted();
 
+    /// Models are worn by the dancers in turn as soon as they are loaded; at most kMostAvatars.
+    void wear(std::vector<std::string> models);
+    /// Opens a list over the picture at a page of it; closes it where that page is open already.
+    /// `offer` is asked for only where it is opened.
+    void toggle_list(std::string_view name,
+                     std::size_t page,
+                     const std::function<std::unique_ptr<ListOffer>()>& offer);
+    /// The list over the picture.
+    [[nodiscard]] ListPanel& list() noexcept { return list_; }
+
     /// Passes a line for people on, and shows it over the picture for 4 s.
     void say(const std::string& line);
     /// Shows a line over the picture alone, for 4 s.
@@ -124,6 +144,10 @@ class WindowLoop {
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
     /// Whether what is transparent shows what lies behind the window: a compositor runs.
     [[nodiscard]] bool is_transparent() const { return window_.is_transparent(); }
+    /// The bodies that are seen, for whom dances are solved.
+    [[nodiscard]] std::vector<motion::Skeleton> dance_bodies() const {
+        return drawing_.bodies.dance_bodies();
+    }
     /// The scene that is drawn; contents may change it between two pictures.
     [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
 
@@ -147,8 +171,12 @@ class WindowLoop {
     void count_picture();
     void save_screenshot();
 
+    void click_panel(const render::OverlaySpot& spot,
+                     WindowContent& content,
+                     const ActionDispatcher& actions);
     void toggle_help(const WindowContent& content, const ActionDispatcher& actions);
     void toggle_overlay();
+    void toggle_clean();
     void go_to_next_camera(const WindowContent& content);
     void look_from(std::size_t direction, const WindowContent& content);
     void let_go_of_camera(const WindowContent& content);
@@ -156,7 +184,6 @@ class WindowLoop {
     void go_to_next_backdrop();
     void go_to_next_avatar();
     void change_avatar();
-    void ask_for_avatars(std::vector<std::string> names);
     void say_avatar(const LoadedAvatar& avatar);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;
 
@@ -171,11 +198,13 @@ class WindowLoop {
     std::string avatar_name_;      // as LoadedAvatar::name, of the first of those asked for last
     AvatarChange avatar_change_;
     render::OverlayView overlay_view_;
-    std::vector<render::HelpRow> help_;  // none: hidden
-    render::OverlayControls controls_;   // of the last picture
-    bool is_position_held_ = false;      // the bar is being dragged
-    bool is_click_taken_ = false;        // what is dragged is not the camera
-    float pointer_x_ = 0.0F;             // while a button is held, in pixels
+    bool is_clean_ = false;  // nothing but the picture, whatever else is to be shown
+    HelpList help_;
+    ListPanel list_;
+    render::OverlayControls controls_;  // of the last picture
+    bool is_position_held_ = false;     // the bar is being dragged
+    bool is_click_taken_ = false;       // what is dragged is not the camera
+    float pointer_x_ = 0.0F;            // while a button is held, in pixels
     bool wants_screenshot_ = false;
     bool wants_to_quit_ = false;
     std::vector<render::WindowEvent> waiting_;  // came between two contents
@@ -184,10 +213,5 @@ class WindowLoop {
     HostTime last_picture_{};
     double fps_ = 0.0;
 };
-
-/// The rows of the help list: the content's own keys, then the lines of the table whose actions
-/// `actions` handles, without keys that the content uses itself.
-[[nodiscard]] std::vector<render::HelpRow> help_rows(std::vector<render::HelpRow> own,
-                                                     const ActionDispatcher& actions);
 
 }  // namespace raks::engine

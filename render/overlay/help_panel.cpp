@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/overlay/panels.hpp"
 
@@ -22,12 +24,11 @@ constexpr float kEdge = 26.0F;
 constexpr float kHeadHeight = 38.0F;
 constexpr float kLeastMargin = 6.0F;                         // above and below the panel
 constexpr float kNarrowWidth = kColumnWidth + 2.0F * kEdge;  // one column
-constexpr float kWideWidth = 2.0F * kColumnWidth + 2.0F * kEdge;
+static_assert(kKeysPanelWidth == 2.0F * kColumnWidth + 2.0F * kEdge);
 constexpr float kKeysWidth = 172.0F;
-constexpr float kLeftOutHeight = 22.0F;  // of the line that says what is left out
 
-/// A key as a small cap; returns its width.
-float draw_cap(const Pen& pen, std::string_view name, float x, float y, float height) {
+/// A key as a small cap.
+Box draw_cap(const Pen& pen, std::string_view name, float x, float y, float height) {
     const ImFont* const font = pen.fonts().small;
     const float width = std::max(pen.width_of(font, name) + 14.0F, 22.0F);
     const Box cap{x, y, width, height};
@@ -39,27 +40,52 @@ float draw_cap(const Pen& pen, std::string_view name, float x, float y, float he
              palette::kText,
              name,
              Align::middle);
-    return width;
+    return cap;
 }
 
-/// The keys of one line as caps, then what they do, from a fixed place on.
-void draw_row(const Pen& pen, const HelpRow& row, float x, float y, float pitch) {
+/// Lines that follow one another; `first` is the number of the first in all of the list.
+struct Lines {
+    std::span<const HelpRow> rows;
+    std::size_t first = 0;
+
+    [[nodiscard]] Lines part(std::size_t from, std::size_t count) const {
+        return {rows.subspan(from, count), first + from};
+    }
+    [[nodiscard]] Lines from(std::size_t at) const { return part(at, rows.size() - at); }
+    [[nodiscard]] std::size_t size() const { return rows.size(); }
+};
+
+/// The keys of one line as caps, then what they do, from a fixed place on. A line of one key can be
+/// clicked all along.
+void draw_row(const Pen& pen,
+              const HelpRow& row,
+              std::size_t number,
+              const Box& place,
+              OverlayControls& controls) {
     // Caps shrink with the pitch, so that those of two lines never touch.
-    const float height = std::min(kCapHeight, pitch - kLeastGap);
-    float key_x = x;
-    for (const std::string& key : row.keys) {
-        key_x += draw_cap(pen, key, key_x, y, height) + 6.0F;
+    const float height = std::min(kCapHeight, place.height - kLeastGap);
+    const auto add = [&](const Box& box, std::size_t item) {
+        controls.spots.push_back({area_of(pen, box), {PanelPart::key, number, item}});
+    };
+    if (row.keys.size() == 1) {
+        add({place.x, place.y, place.width - 6.0F, height}, 0);
+    }
+    float key_x = place.x;
+    for (std::size_t i = 0; i < row.keys.size(); ++i) {
+        const Box cap = draw_cap(pen, row.keys[i], key_x, place.y, height);
+        add(cap, i);
+        key_x = cap.right() + 6.0F;
     }
     const OverlayFonts& fonts = pen.fonts();
     // Many or long keys push their text on instead of running over it.
-    const float text_x = std::max(x + kKeysWidth, key_x + 2.0F);
+    const float text_x = std::max(place.x + kKeysWidth, key_x + 2.0F);
     pen.text(fonts.body,
              text_x,
-             y + (height - pen.height_of(fonts.body)) / 2.0F,
+             place.y + (height - pen.height_of(fonts.body)) / 2.0F,
              palette::kText,
              row.text,
              Align::left,
-             x + kColumnWidth - text_x - 6.0F);
+             place.right() - text_x - 6.0F);
 }
 
 /// Whether line i has a title above it.
@@ -83,111 +109,136 @@ float height_of(std::span<const HelpRow> rows, float pitch) {
     return height_of_titles(rows) + static_cast<float>(rows.size()) * pitch;
 }
 
-/// One or two columns, how far apart their lines are, and how many lines had no room.
+/// One page: one or two columns, and how far apart their lines are.
 struct Layout {
-    std::span<const HelpRow> left;
-    std::span<const HelpRow> right;
+    Lines left;
+    Lines right;
     float pitch = kMostPitch;
-    std::size_t left_out = 0;
 
     [[nodiscard]] float height() const {
-        return std::max(height_of(left, pitch), height_of(right, pitch)) +
-               (left_out > 0 ? kLeftOutHeight : 0.0F);
+        return std::max(height_of(left.rows, pitch), height_of(right.rows, pitch));
     }
 };
 
 /// Lines move together where the picture is low; they never cover one another.
 float pitch_of(const Layout& layout, float room) {
     float pitch = kMostPitch;
-    for (const std::span<const HelpRow> column : {layout.left, layout.right}) {
+    for (const Lines& column : {layout.left, layout.right}) {
         const float lines = static_cast<float>(std::max<std::size_t>(1, column.size()));
-        pitch = std::min(pitch, (room - height_of_titles(column)) / lines);
+        pitch = std::min(pitch, (room - height_of_titles(column.rows)) / lines);
     }
     return std::max(pitch, kLeastPitch);
 }
 
-/// The first lines of a column that have room when they are as close as they may be.
-std::span<const HelpRow> fitting(std::span<const HelpRow> column, float room) {
-    std::size_t count = column.size();
-    while (count > 0 && height_of(column.first(count), kLeastPitch) > room) {
+/// How many of the first lines have room when they are as close as they may be; at least one.
+std::size_t fitting(const Lines& lines, float room) {
+    std::size_t count = lines.size();
+    while (count > 1 && height_of(lines.rows.first(count), kLeastPitch) > room) {
         --count;
     }
-    return column.first(count);
+    return count;
 }
 
 /// Breaks between the two groups where the taller column is lowest. A single group is never
 /// divided: it stays in one column.
-Layout two_columns(std::span<const HelpRow> rows) {
-    Layout best{rows, {}};
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-        const Layout layout{rows.first(i), rows.subspan(i)};
-        if (begins_group(rows, i) && layout.height() < best.height()) {
+Layout two_columns(const Lines& lines) {
+    Layout best{lines, {}};
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const Layout layout{lines.part(0, i), lines.from(i)};
+        if (begins_group(lines.rows, i) && layout.height() < best.height()) {
             best = layout;
         }
     }
     return best;
 }
 
-/// Sets the pitch, and leaves out what has no room even so.
-Layout layout_of(std::span<const HelpRow> rows, bool has_two_columns, float room) {
-    Layout layout = has_two_columns ? two_columns(rows) : Layout{rows, {}};
-    layout.pitch = pitch_of(layout, room);
-    if (std::max(height_of(layout.left, kLeastPitch), height_of(layout.right, kLeastPitch)) >
-        room) {
-        layout.left = fitting(layout.left, room - kLeftOutHeight);
-        layout.right = fitting(layout.right, room - kLeftOutHeight);
-        layout.left_out = rows.size() - layout.left.size() - layout.right.size();
+/// All lines on one page where they have room, else as many on each as have.
+std::vector<Layout> pages_of(const Lines& lines, bool has_two_columns, float room) {
+    Layout whole = has_two_columns ? two_columns(lines) : Layout{lines, {}};
+    whole.pitch = pitch_of(whole, room);
+    if (whole.height() <= room) {
+        return {whole};
     }
-    return layout;
+    std::vector<Layout> pages;
+    for (Lines rest = lines; rest.size() > 0;) {
+        Layout page{rest.part(0, fitting(rest, room)), {}, kLeastPitch};
+        rest = rest.from(page.left.size());
+        if (has_two_columns && rest.size() > 0) {
+            page.right = rest.part(0, fitting(rest, room));
+            rest = rest.from(page.right.size());
+        }
+        pages.push_back(page);
+    }
+    return pages;
 }
 
 /// Titles and lines from (x, y) downward.
-void draw_column(const Pen& pen, std::span<const HelpRow> rows, float pitch, float x, float y) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (begins_group(rows, i)) {
+void draw_column(
+    const Pen& pen, const Lines& lines, float pitch, float x, float y, OverlayControls& controls) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (begins_group(lines.rows, i)) {
             y += i == 0 ? 0.0F : kGroupGap;
-            pen.text(pen.fonts().small, x, y, palette::kAmber, rows[i].group);
+            pen.text(pen.fonts().small, x, y, palette::kAmber, lines.rows[i].group);
             y += kTitleHeight;
         }
-        draw_row(pen, rows[i], x, y, pitch);
+        draw_row(pen, lines.rows[i], lines.first + i, {x, y, kColumnWidth, pitch}, controls);
         y += pitch;
     }
 }
 
-}  // namespace
-
-bool has_room_beside_help(const Canvas& canvas) noexcept {
-    return canvas.width >= kWideWidth + 2.0F * (kMargin + kCardWidth + kMargin / 2.0F);
+/// The title, and at its right what the mouse does, or which page this is. All of it can be
+/// clicked.
+void draw_head(const Pen& pen,
+               const Box& box,
+               std::size_t page,
+               std::size_t pages,
+               OverlayControls& controls) {
+    const float x = box.x + kEdge;
+    const float y = box.y + kEdge - 4.0F;
+    pen.text(pen.fonts().bold, x, y, palette::kText, "Keys");
+    const std::string aside = pages > 1
+                                  ? fmt::format("page {} of {}: ? turns it", page + 1, pages)
+                                  : std::string("drag: turn   wheel: zoom   right drag: move");
+    pen.text(pen.fonts().small, box.right() - kEdge, y + 4.0F, palette::kDim, aside, Align::right);
+    controls.spots.push_back({area_of(pen, {box.x, box.y, box.width, kHeadHeight + kEdge - 4.0F}),
+                              {PanelPart::keys_head}});
 }
 
-void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas) {
+}  // namespace
+
+bool has_room_beside(float width, const Canvas& canvas) noexcept {
+    return canvas.width >= width + 2.0F * (kMargin + kCardWidth + kMargin / 2.0F);
+}
+
+OverlayControls::Area area_of(const Pen& pen, const Box& box) noexcept {
+    const float unit = pen.unit();
+    return {box.x * unit, box.y * unit, box.right() * unit, box.bottom() * unit};
+}
+
+void draw_help(const Pen& pen,
+               std::span<const HelpRow> rows,
+               std::size_t page,
+               const Canvas& canvas,
+               OverlayControls& controls) {
     const float frame = 2.0F * kEdge + kHeadHeight;
-    const bool is_wide = canvas.width >= kWideWidth;
+    const bool is_wide = canvas.width >= kKeysPanelWidth;
     // What the panel's own edges and title leave of the picture is the lines' room.
-    const Layout layout = layout_of(rows, is_wide, canvas.height - frame - 2.0F * kLeastMargin);
-    const float width = is_wide ? kWideWidth : kNarrowWidth;
+    const std::vector<Layout> pages =
+        pages_of({rows}, is_wide, canvas.height - frame - 2.0F * kLeastMargin);
+    const std::size_t at = page % pages.size();
+    const Layout& layout = pages[at];
+    const float width = is_wide ? kKeysPanelWidth : kNarrowWidth;
     const float height = layout.height() + frame;
     const Box box{(canvas.width - width) / 2.0F, (canvas.height - height) / 2.0F, width, height};
     pen.fill(box, {0x0C0E1A, 0.93F}, 12.0F);
     pen.outline(box, palette::kEdge, 12.0F);
+    controls.help_pages = pages.size();
+    controls.spots.push_back({area_of(pen, box), {PanelPart::ground}});
+    draw_head(pen, box, at, pages.size(), controls);
     const float x = box.x + kEdge;
-    const float y = box.y + kEdge - 4.0F;
-    pen.text(pen.fonts().bold, x, y, palette::kText, "Keys");
-    pen.text(pen.fonts().small,
-             box.right() - kEdge,
-             y + 4.0F,
-             palette::kDim,
-             "drag: turn   wheel: zoom   right drag: move",
-             Align::right);
-    draw_column(pen, layout.left, layout.pitch, x, y + kHeadHeight);
-    draw_column(pen, layout.right, layout.pitch, x + kColumnWidth, y + kHeadHeight);
-    if (layout.left_out > 0) {
-        pen.text(pen.fonts().small,
-                 x,
-                 box.bottom() - kEdge - kLeftOutHeight + 8.0F,
-                 palette::kDim,
-                 fmt::format("{} more in a larger window", layout.left_out));
-    }
+    const float y = box.y + kEdge - 4.0F + kHeadHeight;
+    draw_column(pen, layout.left, layout.pitch, x, y, controls);
+    draw_column(pen, layout.right, layout.pitch, x + kColumnWidth, y, controls);
 }
 
 }  // namespace raks::render

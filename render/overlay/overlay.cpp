@@ -60,6 +60,11 @@ OverlayState in_range(OverlayState state) {
     state.duration = finite(state.duration, 0.0, kLongest);
     state.latency_ms = finite(state.latency_ms, -kLongest, kLongest);
     state.fps = finite(state.fps, 0.0, kLongest);
+    if (state.list && !state.list->rows.empty()) {
+        state.list->chosen = std::min(state.list->chosen, state.list->rows.size() - 1);
+    } else if (state.list) {
+        state.list->chosen = 0;
+    }
     return state;
 }
 
@@ -159,6 +164,13 @@ std::optional<OverlayControl> OverlayControls::at(float x, float y) const noexce
     return position.holds(x, y) ? std::optional(OverlayControl::position) : std::nullopt;
 }
 
+// The one that was drawn last lies on top.
+std::optional<OverlaySpot> OverlayControls::spot_at(float x, float y) const noexcept {
+    const auto at = std::find_if(
+        spots.rbegin(), spots.rend(), [&](const auto& spot) { return spot.first.holds(x, y); });
+    return at != spots.rend() ? std::optional(at->second) : std::nullopt;
+}
+
 double OverlayControls::share_at(float x) const noexcept {
     return to > from ? std::clamp(static_cast<double>((x - from) / (to - from)), 0.0, 1.0) : 0.0;
 }
@@ -170,8 +182,8 @@ OverlayControls Overlay::draw(const OverlayState& given,
     const OverlayState state = in_range(given);
     // A hidden overlay costs nothing.
     const bool has_nothing = view == OverlayView::hidden && state.message.empty() &&
-                             state.help.empty() && !state.transport && state.lines.empty() &&
-                             state.labels.empty();
+                             state.help.empty() && !state.list && !state.transport &&
+                             state.lines.empty() && state.labels.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
         return {};
     }
@@ -193,10 +205,12 @@ OverlayControls Overlay::draw(const OverlayState& given,
     const Canvas canvas{static_cast<float>(target.width) / scale,
                         static_cast<float>(target.height) / scale};
     const bool is_help = !state.help.empty();
+    const bool is_covered = (is_help && !has_room_beside(kKeysPanelWidth, canvas)) ||
+                            (state.list && !has_room_beside(kListPanelWidth, canvas));
     OverlayControls controls;
     draw_marks(pen, state);
-    // Cards below the list of keys would shine through it.
-    const bool has_cards = view == OverlayView::shown && (!is_help || has_room_beside_help(canvas));
+    // Cards below a panel would shine through it.
+    const bool has_cards = view == OverlayView::shown && !is_covered;
     if (has_cards && !has_room_for_cards(canvas)) {
         draw_small_tempo(pen, state);
     } else if (has_cards) {
@@ -210,7 +224,10 @@ OverlayControls Overlay::draw(const OverlayState& given,
     }
     draw_message(pen, state.message, canvas);
     if (is_help) {
-        draw_help(pen, state.help, canvas);
+        draw_help(pen, state.help, state.help_page, canvas, controls);
+    }
+    if (state.list) {
+        draw_list(pen, *state.list, canvas, controls);
     }
 
     ImGui::Render();

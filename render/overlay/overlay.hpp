@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/expected.hpp"
@@ -20,6 +21,27 @@ struct HelpRow {
     std::string group;              ///< "PLAYING"
     std::vector<std::string> keys;  ///< as written on the keys: "Left", "Right"
     std::string text;               ///< "back, forward 5 s"
+};
+
+/// One row of a list over the picture.
+struct ListRow {
+    std::string text;                   ///< what it is: "Monitor of Speakers"
+    std::string detail{};               ///< behind it, dimmed: "PulseAudio"
+    std::optional<bool> is_checked{};   ///< a box before it; none: no box
+    std::optional<float> level_dbfs{};  ///< a meter at its end; none: no meter
+    bool is_current = false;            ///< in use now
+    bool is_title = false;              ///< it names the rows below it and cannot be taken
+};
+
+/// A list over the picture, from which a person takes something.
+struct OverlayList {
+    std::span<const std::string> pages{};  ///< titles of all pages; at least one
+    std::size_t page = 0;                  ///< which of them is open
+    std::span<const ListRow> rows{};       ///< of the open page
+    std::size_t chosen = 0;                ///< the row that Enter would take
+    std::string_view typed{};              ///< what somebody has typed
+    std::string_view prompt{};             ///< what typing does, where nothing is typed
+    std::string_view hint{};               ///< the keys that it knows, in one line
 };
 
 /// What moves through a clip, as a bar along the lower edge.
@@ -98,7 +120,9 @@ struct OverlayState {
     std::span<const OverlayLabel> labels{};       ///< names of points
     std::optional<OverlayTransport> transport{};  ///< of a clip; none: none
     // Above all else.
-    std::span<const HelpRow> help{};  ///< the keys; none: not asked for
+    std::span<const HelpRow> help{};    ///< the keys; none: not asked for
+    std::size_t help_page = 0;          ///< which page of them, where one has no room for all
+    std::optional<OverlayList> list{};  ///< from which somebody takes something; none: none
 };
 
 /// From this confidence on the tempo counts as found.
@@ -115,7 +139,24 @@ enum class OverlayControl : std::uint8_t {
     play_sign,  ///< pauses, goes on
     position,   ///< the bar: a place of the file
     mark,       ///< OverlayTransport::mark
-    help,       ///< opens and closes the list of keys
+    help,       ///< opens the list of keys, goes to its next page, and closes it
+};
+
+/// What of the keys or of a list a pointer can use.
+enum class PanelPart : std::uint8_t {
+    ground,     ///< nothing is there
+    keys_head,  ///< goes to the next page of the keys, and closes them
+    key,        ///< a key
+    list_row,   ///< takes a row of the list
+    list_box,   ///< checks its box, or takes the check away
+    list_page,  ///< opens a page of the list
+};
+
+/// A place of the keys or of a list.
+struct OverlaySpot {
+    PanelPart part{};      ///< what is there
+    std::size_t row = 0;   ///< the row of the keys or of the list, or the page
+    std::size_t item = 0;  ///< which key of the row
 };
 
 /// Where the controls of a drawn overlay are, in pixels of the target, y down from its top.
@@ -137,7 +178,12 @@ struct OverlayControls {
     Area help;          ///< the sign "?"
     float from = 0.0F;  ///< x of the file's start on the bar
     float to = 0.0F;    ///< x of its end
+    /// Those of the keys and of the list, which lie above the others; the later above the earlier.
+    std::vector<std::pair<Area, OverlaySpot>> spots{};
+    std::size_t help_pages = 1;  ///< in how many pages the keys have room
 
+    /// The control of the keys or of the list at a place, if there is one.
+    [[nodiscard]] std::optional<OverlaySpot> spot_at(float x, float y) const noexcept;
     /// The control at a place, if there is one.
     [[nodiscard]] std::optional<OverlayControl> at(float x, float y) const noexcept;
     /// The share of the file that an x on the bar means, [0, 1]; 0 without a bar.

@@ -63,10 +63,26 @@ OverlayControls draw_transport(const Pen& pen,
                                const Canvas& canvas);
 /// Above the source: one line that comes and goes.
 void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
-/// Middle: the list of keys, in two columns that break between groups, or in one where the picture
-/// is narrow. Lines for which there is no room are left out, and the last line says how many.
-void draw_help(const Pen& pen, std::span<const HelpRow> rows, const Canvas& canvas);
-/// Whether the cards stay visible beside the keys.
-[[nodiscard]] bool has_room_beside_help(const Canvas& canvas) noexcept;
+/// Middle: one page of the list of keys, in two columns that break between groups, or in one where
+/// the picture is narrow; over several pages where the picture is low. `page` counts on from the
+/// first behind the last. Adds where each key can be clicked, and how many pages there are.
+void draw_help(const Pen& pen,
+               std::span<const HelpRow> rows,
+               std::size_t page,
+               const Canvas& canvas,
+               OverlayControls& controls);
+/// Middle: a list, scrolled to the row that is chosen. Adds where rows and pages can be clicked.
+void draw_list(const Pen& pen,
+               const OverlayList& list,
+               const Canvas& canvas,
+               OverlayControls& controls);
+/// Whether the cards stay visible beside a panel of this width in the middle.
+[[nodiscard]] bool has_room_beside(float width, const Canvas& canvas) noexcept;
+/// Width of the list of keys where it has two columns, and of a list.
+inline constexpr float kKeysPanelWidth = 744.0F;
+inline constexpr float kListPanelWidth = 520.0F;  ///< likewise
+
+/// What a box of the pen covers, in pixels of the target.
+[[nodiscard]] OverlayControls::Area area_of(const Pen& pen, const Box& box) noexcept;
 
 }  // namespace raks::render

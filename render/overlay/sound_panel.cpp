@@ -55,10 +55,6 @@ void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y
     }
 }
 
-OverlayControls::Area area(const Box& box, float unit) {
-    return {box.x * unit, box.y * unit, box.right() * unit, box.bottom() * unit};
-}
-
 /// "1:05 / 3:20", or in words where there is no position.
 std::string time_text(const OverlayState& state) {
     if (!state.position) {
@@ -126,10 +122,10 @@ OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Can
     draw_tags(pen, state, box, has_end ? 50.0F : 40.0F);
     // The sign has the card's left edge to itself, the bar some room above and below.
     if (state.position) {
-        controls.play_sign = area({box.x, box.y, left - box.x - 4.0F, box.height}, pen.unit());
+        controls.play_sign = area_of(pen, {box.x, box.y, left - box.x - 4.0F, box.height});
     }
     if (has_end) {
-        controls.position = area({left, box.y + 33.0F, right - left, 16.0F}, pen.unit());
+        controls.position = area_of(pen, {left, box.y + 33.0F, right - left, 16.0F});
         controls.from = left * pen.unit();
         controls.to = right * pen.unit();
     }

@@ -18,10 +18,6 @@ constexpr float kHelpWidth = 44.0F;
 constexpr float kCurveHeight = 16.0F;
 constexpr float kThumb = 6.0F;
 
-OverlayControls::Area clickable(const Box& box, float unit) {
-    return {box.x * unit, box.y * unit, box.right() * unit, box.bottom() * unit};
-}
-
 // Where a frame is on the bar, [0, 1].
 float share_of(std::size_t frame, const OverlayTransport& transport) {
     const auto last = static_cast<float>(std::max<std::size_t>(transport.frame_count, 2) - 1);
@@ -110,8 +106,7 @@ OverlayControls draw_transport(const Pen& pen,
             fmt::format("{}: frame {}", one_line(transport.mark_name), *transport.mark);
         const float width = pen.width_of(fonts.body, text);
         pen.text(fonts.body, right - width, line, palette::kRed, text);
-        controls.mark =
-            clickable({right - width - 4.0F, line - 2.0F, width + 8.0F, 24.0F}, pen.unit());
+        controls.mark = area_of(pen, {right - width - 4.0F, line - 2.0F, width + 8.0F, 24.0F});
         words_end = right - width - 16.0F;
     }
     pen.text(fonts.body,
@@ -124,10 +119,9 @@ OverlayControls draw_transport(const Pen& pen,
     const Box help{box.right() - 34.0F, box.y + 0.5F * box.height - 12.0F, 24.0F, 24.0F};
     pen.fill(help, palette::kTrough, 5.0F);
     pen.text(fonts.body, help.x + 12.0F, help.y + 3.0F, palette::kText, "?", Align::middle);
-    controls.help = clickable(help, pen.unit());
-    controls.play_sign = clickable({box.x, box.y, kSignWidth - 10.0F, box.height}, pen.unit());
-    controls.position =
-        clickable({left - 8.0F, box.y + 8.0F, bar.width + 16.0F, 30.0F}, pen.unit());
+    controls.help = area_of(pen, help);
+    controls.play_sign = area_of(pen, {box.x, box.y, kSignWidth - 10.0F, box.height});
+    controls.position = area_of(pen, {left - 8.0F, box.y + 8.0F, bar.width + 16.0F, 30.0F});
     controls.from = left * pen.unit();
     controls.to = right * pen.unit();
     return controls;

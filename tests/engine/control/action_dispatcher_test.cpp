@@ -46,6 +46,23 @@ TEST_F(Dispatcher, finds_actions_by_name) {
     EXPECT_EQ(wrong.error().message, "action \"sekk\" is unknown; did you mean \"seek\"?");
 }
 
+TEST_F(Dispatcher, brings_a_text_to_the_handler_of_texts) {
+    std::vector<std::string> danced;
+    std::vector<double> listed;
+    actions_.on(Action::choose_dance, [&](double value) { listed.push_back(value); });
+    actions_.on_text(Action::choose_dance,
+                     [&](const std::string& text) { danced.push_back(text); });
+    EXPECT_EQ(error_of({Action::choose_dance, 0.0, "salsa"}), "");
+    EXPECT_EQ(error_of({Action::choose_dance}), "");
+    EXPECT_TRUE(actions_.dispatch("dance", 0.0, "waltz"));
+    EXPECT_EQ(danced, (std::vector<std::string>{"salsa", "waltz"}));
+    EXPECT_EQ(listed, std::vector{0.0});
+    EXPECT_EQ(error_of({Action::choose_preset, 0.0, "x"}),
+              "action preset: there is nothing here that does it");
+    EXPECT_EQ(error_of({Action::quit, 0.0, "x"}), "action quit: it takes no name");
+    EXPECT_TRUE(quit_.empty());
+}
+
 TEST_F(Dispatcher, says_when_it_clamps) {
     EXPECT_EQ(error_of({Action::seek, -1e6}), "");
     EXPECT_EQ(sought_, std::vector{-36'000.0});

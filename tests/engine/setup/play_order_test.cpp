@@ -92,6 +92,22 @@ TEST(PlayOrder, dropped_files_are_not_met_again) {
     EXPECT_FALSE(none.has_next());
 }
 
+TEST(PlayOrder, files_can_be_added_and_gone_to) {
+    PlayOrder order(2, {});
+    order.go_on();
+    order.append(2, 2);
+    EXPECT_EQ(order.files(), (std::vector<std::size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(order.next(), 2U);
+    order.go_to(3);
+    EXPECT_EQ(order.current(), 3U);
+    EXPECT_EQ(order.place(), 3U);
+    EXPECT_FALSE(order.has_next());
+    order.go_to(99);
+    EXPECT_EQ(order.current(), std::nullopt);
+    order.append(4, 1);
+    EXPECT_EQ(order.current(), 4U) << "at the end: it is the next to play";
+}
+
 TEST(PlayOrder, what_follows_can_be_seen_and_left_out) {
     PlayOrder order(4, {});
     EXPECT_EQ(order.next(), 1U);

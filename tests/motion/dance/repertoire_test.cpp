@@ -176,6 +176,39 @@ TEST(Repertoire, a_dance_that_is_selected_is_kept_to_until_it_is_let_go) {
     EXPECT_EQ(danced[3900].status.dance, shipped::salsa);
 }
 
+TEST(Repertoire, a_forbidden_dance_is_left_for_another_until_it_is_allowed) {
+    using Kind = DancerCommand::Kind;
+    for (const auto otherwise : {Repertoire::Fallback::first, Repertoire::Fallback::keep}) {
+        const auto danced = dance_to(two_dances(otherwise),
+                                     4000,
+                                     [](HopIndex) { return shipped::salsa; },
+                                     {{Kind::forbid_dance,
+                                       stream_time_from_seconds(10.0),
+                                       static_cast<double>(shipped::salsa)},
+                                      {Kind::forbid_dance, stream_time_from_seconds(10.0), 1e9},
+                                      {Kind::allow_dance,
+                                       stream_time_from_seconds(25.0),
+                                       static_cast<double>(shipped::salsa)}});
+        EXPECT_EQ(danced[900].status.dance, shipped::salsa);
+        EXPECT_EQ(danced[2400].status.dance, shipped::belly);
+        EXPECT_EQ(danced[3900].status.dance, shipped::salsa);
+    }
+}
+
+TEST(Repertoire, the_last_dance_stays_allowed_and_a_selected_one_is_danced_even_so) {
+    using Kind = DancerCommand::Kind;
+    const auto salsa = static_cast<double>(shipped::salsa);
+    const auto belly = static_cast<double>(shipped::belly);
+    const auto danced = dance_to(two_dances(Repertoire::Fallback::first),
+                                 4000,
+                                 [](HopIndex) { return shipped::salsa; },
+                                 {{Kind::forbid_dance, stream_time_from_seconds(1.0), belly},
+                                  {Kind::forbid_dance, stream_time_from_seconds(1.0), salsa},
+                                  {Kind::select_dance, stream_time_from_seconds(20.0), belly}});
+    EXPECT_EQ(danced[1900].status.dance, shipped::salsa);
+    EXPECT_EQ(danced[3900].status.dance, shipped::belly);
+}
+
 TEST(Repertoire, a_dance_added_later_is_danced_from_then_on) {
     auto repertoire = std::make_shared<Repertoire>(shipped::salsa, test::salsa_library());
     const auto belly = [&](HopIndex hop) {

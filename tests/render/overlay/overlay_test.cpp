@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -109,6 +111,15 @@ class OverlayTest : public testing::Test {
         overlay_->draw(state, view, target->frame(), content_scale);
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         return read(*target);
+    }
+
+    /// Where a pointer can use what is drawn.
+    OverlayControls controls_of(const OverlayState& state, int width, int height) {
+        auto target = OffscreenTarget::create({.width = width, .height = height});
+        EXPECT_TRUE(target) << target.error().message;
+        OverlayControls controls = overlay_->draw(state, OverlayView::hidden, target->frame());
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return controls;
     }
 
     static void clear(const OffscreenTarget& target) {
@@ -330,19 +341,88 @@ TEST_F(OverlayTest, help_fits_into_narrow_and_small_pictures) {
     }
 }
 
-TEST_F(OverlayTest, help_says_how_many_lines_have_no_room) {
+/// What of a row of the keys can be clicked in the controls, by the rows' numbers.
+std::set<std::size_t> key_rows(const OverlayControls& controls) {
+    std::set<std::size_t> rows;
+    for (const auto& [area, spot] : controls.spots) {
+        if (spot.part == PanelPart::key) {
+            rows.insert(spot.row);
+        }
+    }
+    return rows;
+}
+
+TEST_F(OverlayTest, every_key_is_on_one_page_of_the_help_inside_the_picture) {
     const std::vector<HelpRow> rows = many_keys();
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, std::pair{640, 360}, std::pair{480, 854}, std::pair{320, 240}}) {
+        OverlayState state;
+        state.help = rows;
+        std::size_t pages = 1;
+        std::set<std::size_t> seen;
+        for (state.help_page = 0; state.help_page < pages; ++state.help_page) {
+            const OverlayControls controls = controls_of(state, width, height);
+            pages = controls.help_pages;
+            for (const std::size_t row : key_rows(controls)) {
+                EXPECT_TRUE(seen.insert(row).second) << row << " is on two pages, " << width;
+            }
+            for (const auto& [area, spot] : controls.spots) {
+                EXPECT_GE(area.top, 0.0F) << width;
+                EXPECT_LE(area.bottom, static_cast<float>(height)) << width;
+            }
+        }
+        EXPECT_EQ(seen.size(), rows.size()) << width;
+        EXPECT_EQ(pages > 1, height < 300) << width << " x " << height;
+    }
+}
+
+TEST_F(OverlayTest, a_key_of_the_help_lies_where_it_is_drawn) {
+    const std::vector<HelpRow> rows = {{"VIEW", {"S", "T"}, "stick figure"}};
     OverlayState state;
     state.help = rows;
-    const Pixels all = draw(state, OverlayView::hidden, 320, 180);
-    // One line less is one line less that is left out: the last line differs, and nothing above it.
-    state.help = std::span(rows).first(rows.size() - 1);
-    const Pixels fewer = draw(state, OverlayView::hidden, 320, 180);
-    EXPECT_NE(fewer, all);
-    const std::size_t upper = all.rgba.size() / 4 * 3;
-    EXPECT_TRUE(std::equal(all.rgba.begin(),
-                           all.rgba.begin() + static_cast<std::ptrdiff_t>(upper),
-                           fewer.rgba.begin()));
+    const OverlayControls controls = controls_of(state, 1280, 720);
+    std::map<std::size_t, OverlayControls::Area> caps;
+    for (const auto& [area, spot] : controls.spots) {
+        if (spot.part == PanelPart::key) {
+            caps[spot.item] = area;
+        }
+    }
+    ASSERT_EQ(caps.size(), 2U);
+    EXPECT_LT(caps[0].right, caps[1].left);
+    for (const auto& [item, area] : caps) {
+        const auto spot =
+            controls.spot_at((area.left + area.right) / 2.0F, (area.top + area.bottom) / 2.0F);
+        ASSERT_TRUE(spot);
+        EXPECT_EQ(spot->part, PanelPart::key);
+        EXPECT_EQ(spot->item, item);
+    }
+    EXPECT_FALSE(controls.spot_at(1.0F, 1.0F)) << "beside the panel";
+}
+
+TEST_F(OverlayTest, a_list_shows_its_chosen_row_at_any_size) {
+    std::vector<ListRow> rows(1000);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = {.text = "row " + std::to_string(i), .is_checked = i % 2 == 0};
+    }
+    rows[3].level_dbfs = std::nanf("");
+    const std::vector<std::string> pages = {"one", "two"};
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, std::pair{320, 240}, std::pair{64, 64}, std::pair{1, 1}}) {
+        for (const std::size_t chosen : {std::size_t{0}, std::size_t{500}, std::size_t{5000}}) {
+            OverlayState state;
+            state.list = OverlayList{.pages = pages, .rows = rows, .chosen = chosen};
+            const OverlayControls controls = controls_of(state, width, height);
+            const bool is_seen =
+                std::any_of(controls.spots.begin(), controls.spots.end(), [&](const auto& spot) {
+                    return spot.second.part == PanelPart::list_row &&
+                           spot.second.row == std::min(chosen, rows.size() - 1);
+                });
+            EXPECT_TRUE(is_seen) << chosen << " at " << width;
+        }
+    }
+    OverlayState empty;
+    empty.list = OverlayList{.pages = pages};
+    EXPECT_EQ(controls_of(empty, 640, 360).spots.size(), 3U) << "the panel and two pages";
 }
 
 TEST_F(OverlayTest, the_sign_shows_what_a_click_does) {

@@ -1,0 +1,190 @@
+// What is chosen from the stage's lists, and what is dropped on it.
+#include <future>
+#include <string>
+#include <utility>
+
+#include "apps/raks/stage_loop.hpp"
+#include "base/printable.hpp"
+#include "engine/show/stage_drop.hpp"
+
+#include <fmt/format.h>
+
+namespace raks::apps {
+namespace {
+
+using engine::Action;
+
+constexpr std::string_view kDances = "dances";  // the list's name
+
+template <typename Value>
+bool is_ready(const std::future<Value>& future) {
+    return future.valid() && future.wait_for(Nanos(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+SourceChoice::Means StageLoop::means_of_sources() {
+    SourceChoice::Means means;
+    means.input = [this] {
+        return graph_->playback() == nullptr ? graph_->device().name : std::string();
+    };
+    means.output = [this] {
+        return graph_->playback() != nullptr ? graph_->device().name : std::string();
+    };
+    means.level_dbfs = [this] { return graph_->analysis().level_dbfs(HostClock::now()); };
+    means.queue = [this] { return source_.queue; };
+    means.listen = [this](std::string name) {
+        ask({.kind = StageWish::Kind::input, .name = std::move(name)});
+    };
+    means.play_on = [this](std::string name) {
+        ask({.kind = StageWish::Kind::output, .name = std::move(name)});
+    };
+    means.play_file = [this](std::size_t place) {
+        source_.queue->go_to(place);
+        wish_ = StageEnd::chosen_file;
+    };
+    return means;
+}
+
+// Lists need a window; who asks by a name needs none.
+void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
+    actions.on(Action::next_dance, [this](double) {
+        stop_performing();
+        choice_.select_next();
+    });
+    actions.on_text(Action::choose_dance, [this](const std::string& name) {
+        stop_performing();
+        say_fault(choice_.select(name));
+    });
+    actions.on_text(Action::forbid_dance,
+                    [this](const std::string& name) { say_fault(choice_.allow(name, false)); });
+    actions.on_text(Action::allow_dance,
+                    [this](const std::string& name) { say_fault(choice_.allow(name, true)); });
+    actions.on_text(Action::choose_source, [this](const std::string& name) {
+        ask({.kind = StageWish::Kind::input, .name = name});
+    });
+    actions.on_text(Action::choose_output, [this](const std::string& name) {
+        ask({.kind = StageWish::Kind::output, .name = name});
+    });
+    if (!window_) {
+        return;
+    }
+    actions.on(Action::choose_source, [this](double) {
+        window_->toggle_list(SourceChoice::kName, 0, [this] { return sources_.offer(); });
+    });
+    actions.on(Action::show_queue, [this](double) {
+        window_->toggle_list(
+            SourceChoice::kName, SourceChoice::kQueuePage, [this] { return sources_.offer(); });
+    });
+    actions.on(Action::choose_dance, [this](double) {
+        stop_performing();
+        window_->toggle_list(kDances, 0, [this] { return choice_.offer(); });
+    });
+}
+
+void StageLoop::say_fault(const Expected<void>& done) {
+    if (!done) {
+        say(done.error().message);
+    }
+}
+
+// A pipe cannot be opened twice, so that it ends with what comes in its place.
+void StageLoop::ask(StageWish wish) {
+    engine::Playback* const playback = graph_->playback();
+    const bool goes_on =
+        wish.kind == StageWish::Kind::output || wish.kind == StageWish::Kind::dances;
+    if (goes_on && playback != nullptr && !playback->player().can_seek()) {
+        say("not while sound comes through a pipe");
+        return;
+    }
+    asked_ = std::move(wish);
+    wish_ = StageEnd::wish;
+}
+
+bool StageLoop::take_dropped(const std::vector<std::string>& paths) {
+    engine::StageDrop files = engine::sort_drop(paths);
+    for (const std::string& line : files.lines) {
+        say(line);
+    }
+    if (!files.models.empty()) {
+        window_->wear(std::move(files.models));
+    }
+    if (!files.dances.empty()) {
+        learn_dropped(files.dances.front());
+    }
+    if (!files.clips.empty()) {
+        load_clip(files.clips.front());
+    }
+    if (!files.music.empty()) {
+        play_dropped(files.music);
+    }
+    return true;
+}
+
+// While the queue is looked at, music is added to it.
+void StageLoop::play_dropped(const std::vector<Path>& files) {
+    const engine::ListPanel& list = window_->list();
+    const bool is_queue_open =
+        list.name() == SourceChoice::kName && list.page() == SourceChoice::kQueuePage;
+    if (!is_queue_open || source_.queue == nullptr) {
+        ask({.kind = StageWish::Kind::music, .files = files});
+        return;
+    }
+    const auto added = source_.queue->add(files);
+    say(!added        ? added.error().message
+        : *added == 1 ? "added: " + printable(files.front().filename().string())
+                      : fmt::format("added: {} files", *added));
+}
+
+void StageLoop::learn_dropped(const Path& place) {
+    if (learning_.valid()) {
+        say("another dance is being loaded: wait for it");
+        return;
+    }
+    say("loading " + printable(place.filename().string()));
+    learning_ = std::async(std::launch::async, load_dance, settings_, place);
+}
+
+void StageLoop::load_clip(const Path& file) {
+    if (clip_loading_.valid()) {
+        say("another clip is being loaded: wait for it");
+        return;
+    }
+    const std::string name = printable(file.filename().string());
+    say("loading " + name);
+    clip_loading_ = std::async(
+        std::launch::async,
+        [file, name, settings = settings_]() -> Expected<std::unique_ptr<engine::ClipPerformance>> {
+            auto clip = open_clip(file.string(), settings);
+            if (!clip) {
+                return fail(clip.error());
+            }
+            return std::make_unique<engine::ClipPerformance>(std::move(*clip), name);
+        });
+}
+
+// With every picture: what was dropped may be there.
+void StageLoop::take_loaded() {
+    if (is_ready(clip_loading_)) {
+        if (auto clip = clip_loading_.get()) {
+            performance_ = std::move(*clip);
+            say("performing " + performance_->name() + " (D: dance again)");
+        } else {
+            say(clip.error().message);
+        }
+    }
+    if (is_ready(learning_)) {
+        if (auto dance = learning_.get()) {
+            stop_performing();
+            ask({.kind = StageWish::Kind::dances,
+                 .name = std::move(dance->name),
+                 .setup = std::move(dance->setup)});
+        } else {
+            say(dance.error().message);
+        }
+    }
+}
+
+void StageLoop::stop_performing() { performance_.reset(); }
+
+}  // namespace raks::apps

@@ -1,0 +1,85 @@
+#include "engine/show/clip_performance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "motion/skeleton/skeleton.hpp"
+
+namespace raks::engine {
+namespace {
+
+const std::string kPerformed =
+    (std::filesystem::path(RAKS_SOURCE_DIR) / "tests/data/bvh/dance/own_dance.bvh").string();
+
+class ClipPerformanceTest : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        auto clip = AvatarClip::load(kPerformed, motion::mannequin_skeleton().offsets[0]);
+        ASSERT_TRUE(clip) << clip.error().message;
+        clip_ = std::make_unique<AvatarClip>(*clip);
+        performance_ = std::make_unique<ClipPerformance>(std::move(*clip), "own_dance.bvh");
+    }
+    /// The hips of both dancers at a moment of the stream.
+    std::array<glm::vec3, 2> hips_at(double seconds) {
+        const StreamTime moment = stream_time_from_seconds(seconds);
+        const ShownMoment shown{
+            music_, status_, {.tracks = tracks_, .places = places_, .moment = moment}};
+        const ShownMoment performed = performance_->at(shown);
+        EXPECT_EQ(performed.danced.tracks.size(), 2U);
+        return {performed.danced.tracks[0].at(moment).hips_position,
+                performed.danced.tracks[1].at(moment).hips_position};
+    }
+    void expect_at(double in_stream, double in_clip) {
+        const auto hips = hips_at(in_stream);
+        const glm::vec3 right = clip_->pose_at(in_clip).hips_position;
+        for (std::size_t i = 0; i < hips.size(); ++i) {
+            const glm::vec3 place(places_[i].x, 0.0F, places_[i].y);
+            EXPECT_LT(glm::length(hips[i] - right - place), 1e-3F) << in_stream << " dancer " << i;
+        }
+    }
+
+    std::unique_ptr<AvatarClip> clip_;
+    std::unique_ptr<ClipPerformance> performance_;
+    MusicState music_{};
+    motion::DancerStatus status_{};
+    std::array<motion::PoseTrack, 2> tracks_{};
+    std::array<glm::vec2, 2> places_ = {glm::vec2(-1.0F, 0.0F), glm::vec2(1.0F, 0.5F)};
+};
+
+TEST_F(ClipPerformanceTest, runs_over_and_over_in_the_time_of_the_stream) {
+    const double length = clip_->duration();
+    expect_at(10.0, 0.0);
+    expect_at(10.02, 0.02);
+    expect_at(10.5, 0.5);
+    expect_at(10.4, 0.4);  // others draw an earlier moment
+    expect_at(10.5, 0.5);
+    expect_at(10.0 + 3.0 * length + 0.25, 0.25);
+    expect_at(10.1, 0.1);  // somebody went back in the song
+}
+
+TEST_F(ClipPerformanceTest, stands_still_with_the_stream_and_begins_anew_with_another) {
+    expect_at(5.0, 0.0);
+    expect_at(5.3, 0.3);
+    expect_at(5.3, 0.3);
+    performance_->begin_anew();
+    expect_at(0.7, 0.0);
+    expect_at(0.0, clip_->duration() - 0.7);
+}
+
+TEST_F(ClipPerformanceTest, has_poses_behind_it_for_what_swings) {
+    (void)hips_at(20.0);
+    (void)hips_at(20.3);
+    const StreamTime moment = stream_time_from_seconds(20.3);
+    const ShownMoment shown{
+        music_, status_, {.tracks = tracks_, .places = places_, .moment = moment}};
+    const motion::PoseTrack& track = performance_->at(shown).danced.tracks[0];
+    EXPECT_LE(track.oldest_final(), 2000);
+    EXPECT_GE(track.newest(), 2030);
+}
+
+}  // namespace
+}  // namespace raks::engine
