@@ -346,6 +346,8 @@ struct BenchArguments {
 /// Arguments of `raks config`.
 struct ConfigArguments {
     std::string action = "show";  ///< show, path or init
+    bool with_origins = false;    ///< beside each value that is shown stands who has set it
+    std::string preset;           ///< over the settings that are shown; empty: none
 };
 /// Prints the settings or where their file lies, or writes the file.
 [[nodiscard]] ExitCode config(const ConfigArguments& arguments);

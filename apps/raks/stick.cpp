@@ -152,7 +152,7 @@ ExitCode stick(const StickArguments& arguments) {
         return fail(printable(arguments.input.string()) +
                     ": is a dance of takes; raks sheet --dance FOLDER draws it");
     }
-    if (auto checked = check_output(arguments); !checked) {
+    if (auto checked = check_stick_output(arguments); !checked) {
         return fail(std::move(checked.error()));
     }
     auto file = read_file_of(arguments, arguments.input);

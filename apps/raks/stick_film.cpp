@@ -174,7 +174,7 @@ Expected<void> film(const StickArguments& arguments,
 
 }  // namespace
 
-Expected<void> check_output(const StickArguments& arguments) {
+Expected<void> check_stick_output(const StickArguments& arguments) {
     if (arguments.output.empty() || is_sheet(arguments.output)) {
         return {};
     }

@@ -24,7 +24,7 @@ struct ShownClip {
 
 /// Whether `arguments.output` is something that can be written, before anything is read. Errors: an
 /// unknown ending; of a film those of VideoWriter.
-[[nodiscard]] Expected<void> check_output(const StickArguments& arguments);
+[[nodiscard]] Expected<void> check_stick_output(const StickArguments& arguments);
 
 /// Plays the bodies in a window; with `arguments.output`, or where there is no display, draws them
 /// on a sheet or films them. Errors: those of all of these.
