@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/kept_window.hpp"
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
@@ -19,7 +20,9 @@ ExitCode live(const LiveArguments& given) {
     if (!system) {
         return fail(system.error());
     }
-    const auto choice = audio::choose_input(system->devices(), arguments.settings.device);
+    const KeptWindow kept =
+        arguments.is_headless ? KeptWindow() : KeptWindow::recall(arguments.settings);
+    const auto choice = input_of(*system, arguments.settings);
     if (!choice) {
         return fail(choice.error());
     }
@@ -34,7 +37,8 @@ ExitCode live(const LiveArguments& given) {
                                    arguments.window,
                                    arguments.duration,
                                    arguments.outputs,
-                                   arguments.video},
+                                   arguments.video,
+                                   kept},
                                   setup->catalogue.list(),
                                   formations);
     if (!loop) {
@@ -51,6 +55,9 @@ ExitCode live(const LiveArguments& given) {
     say("listening to " + choice->reason);
     // Why it ended does not matter: there is only one source.
     static_cast<void>((*loop)->run(**graph, {}));
+    if (const auto why = (*loop)->why_lost(); !why.empty()) {
+        return fail(std::string(why));
+    }
     // Dances that could not be loaded meanwhile.
     for (const std::string& line : formations.wait()) {
         (*loop)->say(line);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/kept_window.hpp"
 #include "apps/raks/song_start.hpp"
 #include "apps/raks/sound_pipe.hpp"
 #include "apps/raks/stage_loop.hpp"
@@ -72,12 +73,12 @@ Expected<void> check_file(const Path& path, const Section& section, const IsStop
 }
 
 // The device for the sound; none with --no-sound. Errors: no device, or none of that name.
-Expected<std::optional<audio::AudioDevice>> choose_output(const PlayArguments& arguments,
+Expected<std::optional<audio::AudioDevice>> choose_output(PlayArguments& arguments,
                                                           const audio::AudioSystem* system) {
     if (system == nullptr) {
         return std::nullopt;
     }
-    auto choice = audio::choose_output(system->devices(), arguments.settings.output);
+    auto choice = output_of(*system, arguments.settings);
     if (!choice) {
         return fail(std::move(choice.error()));
     }
@@ -385,6 +386,8 @@ ExitCode play(const PlayArguments& given) {
     if (auto begun = files.begin(); !begun) {
         return fail(begun.error());
     }
+    const KeptWindow kept =
+        arguments.is_headless ? KeptWindow() : KeptWindow::recall(arguments.settings);
     // Without sound no audio system is opened, so that none is needed.
     std::optional<audio::AudioSystem> system;
     if (!arguments.is_soundless) {
@@ -405,16 +408,23 @@ ExitCode play(const PlayArguments& given) {
     }
     read_corrections(setup->models);
     engine::Formations& formations = setup->formations;
-    auto loop = StageLoop::create(
-        arguments.settings,
-        {arguments.is_headless, arguments.window, std::nullopt, arguments.outputs, arguments.video},
-        setup->catalogue.list(),
-        formations);
+    auto loop = StageLoop::create(arguments.settings,
+                                  {arguments.is_headless,
+                                   arguments.window,
+                                   std::nullopt,
+                                   arguments.outputs,
+                                   arguments.video,
+                                   kept},
+                                  setup->catalogue.list(),
+                                  formations);
     if (!loop) {
         return fail(loop.error());
     }
     Player player(arguments, *output, setup->models, formations, **loop);
     player.play(files);
+    if (const auto why = (*loop)->why_lost(); !why.empty()) {
+        return fail(std::string(why));
+    }
     if (!player.has_played()) {
         return fail(nothing_played(files.skipped()));
     }

@@ -44,15 +44,18 @@ bool is_stop_requested() { return stop_signal().has_value(); }
 Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
                                          const engine::Look& look,
                                          const StageLoop::Options& options) {
-    auto window = render::Window::create({.title = "Raks",
-                                          .width = look.size.width,
-                                          .height = look.size.height,
-                                          .is_fullscreen = options.window.is_fullscreen,
-                                          .is_transparent = true,
-                                          .is_borderless = options.window.is_borderless,
-                                          .is_on_top = options.window.is_on_top,
-                                          .samples = 0,
-                                          .max_fps = settings.fps});
+    render::WindowOptions how;
+    how.width = look.size.width;
+    how.height = look.size.height;
+    how.is_fullscreen = options.window.is_fullscreen;
+    how.is_transparent = true;
+    how.is_borderless = options.window.is_borderless;
+    how.is_on_top = options.window.is_on_top;
+    how.max_fps = settings.fps;
+    // A film that is recorded is completed then.
+    how.outlives_display = true;
+    options.kept.place(how);
+    auto window = render::Window::create(how);
     if (!window) {
         return fail(window.error());
     }
@@ -99,6 +102,9 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
 
 // The window, or where pictures are drawn without one that somebody wants.
 Expected<void> StageLoop::open_pictures(const engine::Look& look) {
+    if (!options_.video.wishes.empty() || !options_.video.record.empty()) {
+        static_cast<void>(said_film_fps(settings_));
+    }
     if (!options_.video.wishes.empty()) {
         auto video = VideoShow::create(options_.video, settings_, dances_);
         if (!video) {
@@ -155,6 +161,9 @@ StageLoop::StageLoop(const engine::Settings& settings,
 
 // The graph has gone before. Where nothing was played, something else was said.
 StageLoop::~StageLoop() {
+    if (window_) {
+        options_.kept.close(*window_);
+    }
     const std::string line = recording_.stop(nullptr);
     if (graph_ != nullptr && !line.empty()) {
         say(line);

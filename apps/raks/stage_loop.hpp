@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/raks/commands.hpp"
+#include "apps/raks/kept_window.hpp"
 #include "apps/raks/show_recording.hpp"
 #include "apps/raks/video_show.hpp"
 #include "base/expected.hpp"
@@ -56,6 +57,7 @@ class StageLoop final : private engine::WindowContent {
         std::optional<double> seconds;                 ///< ends after this much of the music
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
         VideoArguments video = {};                     ///< who has the pictures, too
+        KeptWindow kept = {};                          ///< where the window was before
     };
     /// `formations` must outlive this. Errors: no display, no OpenGL, an unknown theme
     /// or camera, an output that cannot be opened.
@@ -73,6 +75,9 @@ class StageLoop final : private engine::WindowContent {
     /// outlive the call. Returns why it ended.
     [[nodiscard]] StageEnd run(engine::LiveGraph& graph, const StageSource& source);
 
+    /// Why nothing can be shown any more (render::Window::why_lost); empty: it can, or there is no
+    /// window. Then run() has ended.
+    [[nodiscard]] std::string_view why_lost() const { return window_ ? window_->why_lost() : ""; }
     /// Between two files: whether a person or a signal has asked for the end.
     [[nodiscard]] bool is_end_wanted();
 

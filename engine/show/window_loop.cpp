@@ -442,7 +442,9 @@ void WindowLoop::change_avatar() {
         say(changed.error().message);
     } else if (!changed->empty()) {
         scene_.camera = camera_for(scene_.camera, drawing_.bodies.size() / size_before);
+        chosen_avatars_.clear();
         for (const LoadedAvatar& avatar : *changed) {
+            chosen_avatars_.push_back(avatar.name);
             say_avatar(avatar);
         }
     }

@@ -124,6 +124,14 @@ class WindowLoop {
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
     /// Whether what is transparent shows what lies behind the window: a compositor runs.
     [[nodiscard]] bool is_transparent() const { return window_.is_transparent(); }
+    /// Why nothing can be shown any more; empty: it can (render::Window::why_lost).
+    [[nodiscard]] std::string_view why_lost() const { return window_.why_lost(); }
+    /// Where the window is (render::Window::place).
+    [[nodiscard]] std::optional<render::WindowPlace> place() const { return window_.place(); }
+    /// The avatars that a person has chosen in the window and that are worn; empty: none.
+    [[nodiscard]] const std::vector<std::string>& chosen_avatars() const noexcept {
+        return chosen_avatars_;
+    }
     /// The scene that is drawn; contents may change it between two pictures.
     [[nodiscard]] render::Scene& scene() noexcept { return scene_; }
 
@@ -170,6 +178,7 @@ class WindowLoop {
     bool is_from_above_ = false;   // steeper than the preset, which shows a dancer's face
     std::string avatar_name_;      // as LoadedAvatar::name, of the first of those asked for last
     AvatarChange avatar_change_;
+    std::vector<std::string> chosen_avatars_;
     render::OverlayView overlay_view_;
     std::vector<render::HelpRow> help_;  // none: hidden
     render::OverlayControls controls_;   // of the last picture
