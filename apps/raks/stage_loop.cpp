@@ -13,6 +13,8 @@
 #include "base/locked_memory.hpp"
 #include "engine/live/loss_words.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/setup/desktop_calm.hpp"
+#include "engine/setup/settings_table.hpp"
 #include "engine/setup/user_folders.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/overlay/text_format.hpp"
@@ -39,6 +41,15 @@ void nap(Nanos span) {
 }
 
 bool is_stop_requested() { return stop_signal().has_value(); }
+
+// Pictures are calm where the desktop asks for it, unless the person has said what they shall be.
+void follow_desktop(engine::Settings& settings) {
+    const engine::SettingRank rank = engine::origin_of(settings, &engine::Settings::calm).rank;
+    if (rank < engine::SettingRank::config && !settings.calm && engine::desktop_asks_for_calm()) {
+        settings.calm = true;
+        say_detail("the desktop asks for calm pictures (--no-calm: the usual ones)");
+    }
+}
 
 // Errors: no display, or no OpenGL.
 Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
@@ -77,10 +88,14 @@ std::string level_meter(float dbfs) {
     return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
 }
 
-Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& settings,
+Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& given,
                                                        const Options& options,
                                                        std::shared_ptr<const DanceList> dances,
                                                        engine::Formations& formations) {
+    engine::Settings settings = given;
+    if (!options.is_headless) {
+        follow_desktop(settings);
+    }
     const auto look = open_look(settings);
     if (!look) {
         return fail(look.error());

@@ -191,5 +191,16 @@ TEST_F(KeptWindow, a_device_that_is_remembered_and_gone_is_left_out) {
     EXPECT_EQ(listen({"--device", "Scarlett"}).exit_code, 1) << "one that is asked for must be";
 }
 
+// A person's kdeglobals asks for it; no bus runs.
+TEST_F(KeptWindow, is_calm_where_the_desktop_asks_for_it) {
+    const std::string said = "the desktop asks for calm pictures";
+    ASSERT_TRUE(write_file(path("config/kdeglobals"), "[KDE]\nAnimationDurationFactor=0\n"));
+    EXPECT_EQ(count_of(said, run_window(as_it_was({"-v"})).err), 1);
+    EXPECT_EQ(count_of(said, run_window(as_it_was({"-v", "--no-calm"})).err), 0);
+    ASSERT_TRUE(make_folders(path("config/raks")));
+    ASSERT_TRUE(write_file(path("config/raks/config.toml"), "[picture]\ncalm = false\n"));
+    EXPECT_EQ(count_of(said, run_window(as_it_was({"-v"})).err), 0);
+}
+
 }  // namespace
 }  // namespace raks::test

@@ -5,6 +5,7 @@
 #include "audio/genre/tag_evidence.hpp"
 #include "audio/music/styles/style_book_reader.hpp"
 #include "base/dance_list.hpp"
+#include "engine/setup/desktop_calm.hpp"
 #include "engine/setup/device_offsets.hpp"
 #include "engine/setup/presets.hpp"
 #include "engine/setup/settings.hpp"
@@ -62,6 +63,8 @@ bool read_window_memory(std::string_view text) {
     must(engine::validate(settings).empty());
     return true;
 }
+
+bool read_kdeglobals(std::string_view text) { return engine::calm_in_kdeglobals(text).has_value(); }
 
 bool read_dances(std::string_view text) {
     const auto dances = parse_dances(text, "x.toml", {});
