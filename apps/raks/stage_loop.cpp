@@ -64,7 +64,7 @@ Expected<engine::WindowLoop> open_window(const engine::Settings& settings,
     how.is_on_top = options.window.is_on_top;
     how.max_fps = settings.fps;
     // A film that is recorded is completed then.
-    how.outlives_display = true;
+    how.outlives_loss = true;
     options.kept.place(how);
     auto window = render::Window::create(how);
     if (!window) {

@@ -290,21 +290,20 @@ void set_hints(const WindowOptions& options) {
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
 }
 
-// Null: refused. First with a context that the driver may lose and tell; not every driver has one.
+// Null: refused. Not every driver has contexts of which it tells that they are lost.
 GLFWwindow* create_handle(const WindowOptions& options) {
     OpeningPlace opening{.at = {}, .width = options.width, .height = options.height};
     if (options.place) {
         opening = opening_place(*options.place, monitor_places());
     }
-    GLFWwindow* handle = nullptr;
-    for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
-        if (handle == nullptr) {
-            set_hints(options);
-            glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
-            handle = glfwCreateWindow(
-                opening.width, opening.height, options.title.c_str(), nullptr, nullptr);
-        }
-    }
+    const auto create = [&](int robustness) {
+        set_hints(options);
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+        return glfwCreateWindow(
+            opening.width, opening.height, options.title.c_str(), nullptr, nullptr);
+    };
+    GLFWwindow* handle = options.outlives_loss ? create(GLFW_LOSE_CONTEXT_ON_RESET) : nullptr;
+    handle = handle != nullptr ? handle : create(GLFW_NO_ROBUSTNESS);
     if (handle != nullptr && options.place) {
         if (opening.at) {
             glfwSetWindowPos(handle, opening.at->x, opening.at->y);
@@ -342,7 +341,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
                         : "no display: \"" + std::string(display) + "\": " + last_error() + "; " +
                               options.otherwise);
     }
-    if (options.outlives_display) {
+    if (options.outlives_loss) {
         outlive_display();
     }
     state->handle = create_handle(options);

@@ -126,9 +126,9 @@ struct WindowOptions {
     bool is_visible = true;
     int samples = 0;       ///< anti-aliasing of the window's own framebuffer
     double max_fps = 0.0;  ///< pictures a second; 0: the monitor's rate, or 60 when it tells none
-    /// Whether the process goes on when the display goes away: the caller asks why_lost() then.
-    /// Else Xlib ends it.
-    bool outlives_display = false;
+    /// Whether the caller asks why_lost(), and ends by itself when the display goes away or the
+    /// driver has lost the context. Else Xlib ends the process, and of the driver nobody asks.
+    bool outlives_loss = false;
     /// Tells in the driver's place whether it has lost the context (glGetGraphicsResetStatus); for
     /// tests, as no driver loses it when asked to. Null: the driver.
     unsigned (*reset_status)() = nullptr;
@@ -165,9 +165,9 @@ class Window {
     void request_close();
     /// Makes `should_close` false: something is to be asked first.
     void stay_open();
-    /// Why nothing can be shown any more, for people: the display is gone (where the options have
-    /// `outlives_display`), or the driver has lost the context. Empty: it can. From then on there
-    /// are no events, frame() is 0 x 0, and whoever has the window ends.
+    /// Why nothing can be shown any more, for people: the display is gone, or the driver has lost
+    /// the context; both where WindowOptions::outlives_loss. Empty: it can. From then on there are
+    /// no events, frame() is 0 x 0, and whoever has the window ends.
     [[nodiscard]] std::string_view why_lost() const;
     /// Where the pointer was when events were polled last.
     [[nodiscard]] PointerPlace pointer() const;

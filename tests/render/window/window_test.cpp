@@ -276,8 +276,8 @@ TEST_F(WindowOnXvfb, two_clicks_at_once_are_a_double_click) {
 TEST_F(WindowOnXvfb, a_driver_that_was_reset_ends_it) {
     window_.reset();
     static unsigned status = 0;
-    auto window =
-        Window::create({.width = 64, .height = 64, .reset_status = [] { return status; }});
+    auto window = Window::create(
+        {.width = 64, .height = 64, .outlives_loss = true, .reset_status = [] { return status; }});
     ASSERT_TRUE(window) << window.error().message;
     window->present();
     EXPECT_EQ(window->why_lost(), "");
