@@ -55,6 +55,7 @@ struct PlayArguments {
     bool is_as_live = false;    ///< songs are analyzed as they come, as an input is
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
+    std::vector<std::string> forbidden;       ///< dances that are not danced, of a preset
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -73,6 +74,7 @@ struct LiveArguments {
     WindowWish window;                        ///< how it is opened
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
+    std::vector<std::string> forbidden;       ///< dances that are not danced, of a preset
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);
@@ -352,6 +354,8 @@ struct BenchArguments {
 /// Arguments of `raks config`.
 struct ConfigArguments {
     std::string action = "show";  ///< show, path or init
+    bool with_origins = false;    ///< beside each value that is shown stands who has set it
+    std::string preset;           ///< over the settings that are shown; empty: none
 };
 /// Prints the settings or where their file lies, or writes the file.
 [[nodiscard]] ExitCode config(const ConfigArguments& arguments);

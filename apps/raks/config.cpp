@@ -5,6 +5,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
+#include "engine/setup/presets.hpp"
 
 namespace raks::apps {
 
@@ -15,6 +16,9 @@ ExitCode config(const ConfigArguments& arguments) {
         return fail(
             "there is no place for your settings: set HOME or XDG_CONFIG_HOME to a folder of "
             "yours");
+    }
+    if ((arguments.with_origins || !arguments.preset.empty()) && arguments.action != "show") {
+        return fail("--origin and --preset belong to raks config show");
     }
     if (arguments.action == "path") {
         print_text(printable(path.string(), std::string::npos) + "\n");
@@ -36,14 +40,26 @@ ExitCode config(const ConfigArguments& arguments) {
         return kExitDone;
     }
     // "show": all values that apply, defaults too.
-    const auto settings = engine::load_settings();
+    auto settings = engine::load_settings();
     if (!settings) {
         return fail(settings.error());
     }
     for (const std::string& note : settings->notes) {
         say(note);
     }
-    print_text(engine::to_toml(settings->settings));
+    if (!arguments.preset.empty()) {
+        const auto preset = engine::load_preset(arguments.preset);
+        if (!preset) {
+            return fail(preset.error());
+        }
+        for (const std::string& note : preset->notes) {
+            say(note);
+        }
+        engine::apply_preset(*preset, settings->settings);
+    }
+    print_text(engine::to_toml(
+        settings->settings,
+        arguments.with_origins ? engine::TomlComments::origins : engine::TomlComments::help));
     return kExitDone;
 }
 

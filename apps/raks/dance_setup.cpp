@@ -58,6 +58,38 @@ Expected<void> check_avatars(const engine::Settings& settings) {
     return check_labels(settings.avatar_labels);
 }
 
+bool may_be_gone(const engine::Settings& settings, engine::SettingField field) {
+    const engine::SettingRank rank = engine::origin_of(settings, field).rank;
+    return rank == engine::SettingRank::window || rank == engine::SettingRank::preset;
+}
+
+void replace_missing_avatars(engine::Settings& settings) {
+    if (!may_be_gone(settings, &engine::Settings::avatars)) {
+        return;
+    }
+    std::string first;
+    std::size_t missing = 0;
+    for (std::string& name : settings.avatars) {
+        if (!engine::find_avatar(name)) {
+            first = missing++ == 0 ? name : first;
+            name = engine::kMannequinName;
+        }
+    }
+    if (missing > 0) {
+        say(fmt::format("{}{}: not there any more; the mannequin dances instead",
+                        printable(first),
+                        missing > 1 ? fmt::format(" and {} more avatars", missing - 1) : ""));
+    }
+}
+
+double said_film_fps(const engine::Settings& settings) {
+    const double fps = engine::film_fps(settings);
+    if (fps != settings.fps) {
+        say(fmt::format("no monitor shows a film: it has {} pictures a second (--fps)", fps));
+    }
+    return fps;
+}
+
 Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                        const engine::Settings& settings) {
     auto clip = engine::AvatarClip::load(
@@ -86,6 +118,10 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
             "each one's as MODEL.labels.toml beside it");
     }
     auto avatars = engine::load_avatars(settings.avatars, options);
+    if (!avatars && may_be_gone(settings, &engine::Settings::avatars)) {
+        say(avatars.error().message + "; the mannequin dances instead");
+        avatars = engine::load_avatars({std::string(engine::kMannequinName)});
+    }
     if (!avatars) {
         return fail(std::move(avatars.error()));
     }

@@ -14,6 +14,7 @@
 #include "engine/setup/dancers.hpp"
 #include "engine/setup/formations.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/setup/settings_table.hpp"
 #include "engine/show/avatar_clip.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -37,6 +38,16 @@ struct DanceSetup {
 /// Whether there are the avatars and the label file that the settings name: before any work, for
 /// commands that take them, also where nobody is seen. Errors: the first that is not there.
 [[nodiscard]] Expected<void> check_avatars(const engine::Settings& settings);
+
+/// Whether the setting is what the program remembers, or a preset holds: then it need not be there
+/// any more.
+[[nodiscard]] bool may_be_gone(const engine::Settings& settings, engine::SettingField field);
+
+/// Puts the mannequin in the place of avatars that may be gone and are, and says so in one line.
+void replace_missing_avatars(engine::Settings& settings);
+
+/// engine::film_fps(), and says so where it is not what the settings say.
+[[nodiscard]] double said_film_fps(const engine::Settings& settings);
 
 /// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
 /// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of

@@ -7,6 +7,7 @@
 
 #include "apps/clips/body_options.hpp"
 #include "apps/clips/joint_options.hpp"
+#include "apps/raks/preset_option.hpp"
 #include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
 
@@ -92,6 +93,7 @@ void add_video_options(CLI::App& app,
     app.add_option_function<std::vector<std::string>>(
            "--video-out",
            [&video](const std::vector<std::string>& targets) {
+               video.wishes.clear();  // those of a preset
                for (const std::string& target : targets) {
                    video.wishes.push_back({.target = target});
                }
@@ -140,6 +142,7 @@ void add_section_options(CLI::App& app, Section& section) {
 // Each add_ function below adds one command with its options.
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
+    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
     app->add_option("files",
                     a->files,
                     "music files, folders, playlists (.m3u, .pls, .xspf), - for a pipe; none: "
@@ -168,6 +171,7 @@ void add_open(RaksCommands& table) {
                               "open",
                               "open the window: dance to files, or to what this computer plays",
                               open);
+    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
     app->add_option("files", a->files, "music files, folders, playlists; none: listen");
     add_setting_options(*app,
                         a->settings,
@@ -184,6 +188,7 @@ void add_open(RaksCommands& table) {
 
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
+    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
     add_setting_options(
         *app, a->settings, {&Settings::device, &Settings::audio_system, &Settings::buffer_ms});
     // The arguments are captured by their pointer: they outlive the parsing.
@@ -202,6 +207,7 @@ void add_live(RaksCommands& table) {
 void add_render(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "render", "write a video of the dance to a file", render);
+    add_preset_option(*app, a->settings);
     app->add_option("file", a->input, "music file; none: music that Raks makes");
     app->add_option("-o,--out", a->output, "X.mp4, X.mkv, X.webm, X.avi, or a folder for .png")
         ->required();
@@ -215,11 +221,18 @@ void add_render(RaksCommands& table) {
     // A window's overlay is a setting, a film has it only when asked for.
     a->settings.overlay = false;
     add_setting_options(*app, a->settings, engine::kRender);
+    app->get_option("--fps")->check([](const std::string& word) {
+        double fps = 1.0;
+        return CLI::detail::lexical_cast(word, fps) && fps == 0.0
+                   ? "0 is as many pictures a second as a monitor shows, and a film needs 1 to 240"
+                   : "";
+    });
     alpha->excludes(app->get_option("--backdrop"));
 }
 
 void add_dance(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "dance", "write the dance to a file as motion", dance);
+    add_preset_option(*app, a->settings);
     app->add_option("file", a->input, "music file")->required();
     app->add_option("-o,--out",
                     a->output,
@@ -247,6 +260,7 @@ void add_dances(RaksCommands& table) {
 void add_sheet(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "sheet", "draw a figure as a pose sheet, or film it", sheet);
+    add_preset_option(*app, a->settings);
     app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.mkv, X.webm, X.avi, a folder")
         ->required();
     auto* const motion = app->add_option("--motion", a->motion, kMotionHelp);

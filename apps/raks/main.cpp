@@ -50,9 +50,26 @@ std::string fault_of(const engine::Settings& settings) {
 void add_config(RaksCommands& table) {
     auto [app, a] =
         table.add(table.app(), "config", "show, locate or create the settings file", config);
+    app->add_flag("--origin", a->with_origins, "show: say where each value comes from");
+    app->add_option("--preset", a->preset, "show: as with this preset")->type_name("NAME");
     app->add_option("action", a->action, "show, path or init")
         ->check(one_of({"show", "path", "init"}));
 }
+
+}  // namespace
+
+void RaksCommands::note_options(const CLI::App& app, engine::Settings& settings) {
+    for (const engine::SettingRow& row : engine::setting_rows()) {
+        const CLI::Option* const option =
+            row.option.name.empty() ? nullptr
+                                    : app.get_option_no_throw(std::string(row.option.name));
+        if (option != nullptr && option->count() > 0) {
+            settings.origins.set(engine::full_name(row), {engine::SettingRank::option, {}, 0});
+        }
+    }
+}
+
+namespace {
 
 /// Parses the command line over the settings files. A wrong command line or setting is one line on
 /// stderr and kExitUsage.

@@ -37,6 +37,7 @@ class RaksCommands : public CommandTable {
         }
         command.app->callback([this, command, run] {
             if constexpr (requires { command.arguments->settings; }) {
+                note_options(*command.app, command.arguments->settings);
                 chosen_settings_ = {command.arguments, &command.arguments->settings};
             }
             const bool has_avatars = command.app->get_option_no_throw("--avatar") != nullptr;
@@ -56,14 +57,20 @@ class RaksCommands : public CommandTable {
  private:
     // Those that options name. `has_avatars`: settings name some, too.
     template <typename Arguments>
-    [[nodiscard]] static Expected<void> check_files(const Arguments& arguments, bool has_avatars) {
+    [[nodiscard]] static Expected<void> check_files(Arguments& arguments, bool has_avatars) {
         if constexpr (requires { arguments.options.labels; }) {
             return check_labels(arguments.options.labels);
         } else if constexpr (requires { arguments.settings; }) {
-            return has_avatars ? check_avatars(arguments.settings) : Expected<void>();
+            if (!has_avatars) {
+                return {};
+            }
+            replace_missing_avatars(arguments.settings);
+            return check_avatars(arguments.settings);
         }
         return {};
     }
+    // Which settings the command line has set.
+    static void note_options(const CLI::App& app, engine::Settings& settings);
     // -q and -v stand before or behind the command.
     static void add_talk_options(CLI::App& app) {
         app.add_flag_callback(

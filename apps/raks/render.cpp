@@ -377,6 +377,7 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
 
 ExitCode render(const RenderArguments& given) {
     RenderArguments arguments = given;
+    arguments.settings.fps = said_film_fps(arguments.settings);
     // A film is not in a hurry.
     if (arguments.settings.quality == "auto") {
         arguments.settings.quality = "high";

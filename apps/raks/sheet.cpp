@@ -162,6 +162,11 @@ Expected<void> draw_takes(const SheetArguments& arguments,
 
 ExitCode sheet(const SheetArguments& given) {
     SheetArguments arguments = given;
+    // The kind of output decides: a .png is a sheet, all else a film.
+    const bool is_sheet = arguments.output.extension() == ".png";
+    if (!is_sheet) {
+        arguments.settings.fps = said_film_fps(arguments.settings);
+    }
     const auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
@@ -169,8 +174,6 @@ ExitCode sheet(const SheetArguments& given) {
     if (!arguments.motion.empty()) {
         return draw_clip(arguments, *look);
     }
-    // The kind of output decides: a .png is a sheet, all else a film.
-    const bool is_sheet = arguments.output.extension() == ".png";
     const double fps = arguments.settings.fps;
     // A film has one pose a picture: 60 fps / BPM pictures a beat.
     const SheetPlan plan =

@@ -15,7 +15,7 @@ Expected<void> ShowRecording::start(const Path& file) {
     render::VideoOptions options;
     options.width = size->width;
     options.height = size->height;
-    options.rate = render::FrameRate::nearest(settings_.fps);
+    options.rate = render::FrameRate::nearest(engine::film_fps(settings_));
     // Beside drawing and playing, encoding must be quick.
     options.quality =
         settings_.quality == "high" ? render::VideoQuality::normal : render::VideoQuality::draft;

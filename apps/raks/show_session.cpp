@@ -8,7 +8,9 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/offline/music_source.hpp"
+#include "engine/setup/desktop_calm.hpp"
 #include "engine/setup/play_list.hpp"
+#include "engine/setup/settings_table.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +41,8 @@ ExitCode ShowSession::play() {
     if (auto chosen = choose_files(arguments_.files); !chosen) {
         return fail(chosen.error());
     }
-    if (auto chosen = choose_output(arguments_.settings.output); !chosen) {
+    recall_window();
+    if (auto chosen = choose_output(); !chosen) {
         return fail(chosen.error().message + " (--no-sound dances without a loudspeaker)");
     }
     if (auto set = set_stage(); !set) {
@@ -50,7 +53,8 @@ ExitCode ShowSession::play() {
 
 // The input first: without one there is nothing to dance to.
 ExitCode ShowSession::live() {
-    if (auto chosen = choose_input(arguments_.settings.device); !chosen) {
+    recall_window();
+    if (auto chosen = choose_input(); !chosen) {
         return fail(chosen.error());
     }
     if (auto set = set_stage(); !set) {
@@ -61,6 +65,7 @@ ExitCode ShowSession::live() {
 
 // The window first: whoever clicked an icon sees that something happens.
 ExitCode ShowSession::open() {
+    recall_window();
     const auto is_set = set_stage_in_window();
     if (!is_set) {
         return fail(is_set.error());
@@ -77,7 +82,7 @@ ExitCode ShowSession::open() {
 // Where there is nothing to listen to, the dancer dances to music of its own.
 Expected<void> ShowSession::listen_or_play_own() {
     if (arguments_.files.empty()) {
-        const auto chosen = choose_input(arguments_.settings.device);
+        const auto chosen = choose_input();
         if (chosen || !arguments_.settings.device.empty()) {
             return chosen;
         }
@@ -86,7 +91,7 @@ Expected<void> ShowSession::listen_or_play_own() {
     if (auto chosen = choose_files(arguments_.files); !chosen) {
         return chosen;
     }
-    if (auto chosen = choose_output(arguments_.settings.output); !chosen) {
+    if (auto chosen = choose_output(); !chosen) {
         why_own_music_ += why_own_music_.empty() ? "without sound: " + chosen.error().message : "";
         output_.reset();
         has_output_ = true;
@@ -118,22 +123,22 @@ Expected<void> ShowSession::choose_files(const std::vector<Path>& given) {
     return {};
 }
 
-Expected<void> ShowSession::choose_input(const std::string& wanted) {
+Expected<void> ShowSession::choose_input() {
     const auto found = system();
     if (!found) {
         return fail(found.error());
     }
-    auto choice = audio::choose_input((*found)->devices(), wanted);
+    auto choice = input_of(**found, arguments_.settings);
     if (!choice) {
         return fail(choice.error());
     }
     input_ = std::move(*choice);
-    is_input_named_ = !wanted.empty();
+    is_input_named_ = !arguments_.settings.device.empty();
     return {};
 }
 
 // Without sound no audio system is opened, so that none is needed.
-Expected<void> ShowSession::choose_output(const std::string& wanted) {
+Expected<void> ShowSession::choose_output() {
     has_output_ = true;
     if (arguments_.is_soundless) {
         return {};
@@ -142,7 +147,7 @@ Expected<void> ShowSession::choose_output(const std::string& wanted) {
     if (!found) {
         return fail(found.error());
     }
-    auto choice = audio::choose_output((*found)->devices(), wanted);
+    auto choice = output_of(**found, arguments_.settings);
     if (!choice) {
         return fail(choice.error());
     }
@@ -157,23 +162,41 @@ Expected<void> ShowSession::set_stage() {
         return fail(setup.error());
     }
     setup_ = std::make_shared<StageSetup>(std::move(*setup));
-    auto loop = StageLoop::create(arguments_.settings,
-                                  {arguments_.is_headless,
-                                   arguments_.window,
-                                   listens_for_,
-                                   arguments_.outputs,
-                                   arguments_.video},
-                                  *setup_);
+    auto loop = StageLoop::create(arguments_.settings, stage_options(), *setup_);
     if (!loop) {
         return fail(loop.error());
     }
     loop_ = std::move(*loop);
+    loop_->dance_choice().forbid_only(arguments_.forbidden);
     return {};
+}
+
+StageLoop::Options ShowSession::stage_options() const {
+    return {arguments_.is_headless,
+            arguments_.window,
+            listens_for_,
+            arguments_.outputs,
+            arguments_.video,
+            kept_};
+}
+
+// Where a window opens, what it was before counts, and what the desktop asks for.
+void ShowSession::recall_window() {
+    if (arguments_.is_headless) {
+        return;
+    }
+    engine::Settings& settings = arguments_.settings;
+    kept_ = KeptWindow::recall(settings);
+    const engine::SettingRank rank = engine::origin_of(settings, &engine::Settings::calm).rank;
+    if (rank < engine::SettingRank::config && !settings.calm && engine::desktop_asks_for_calm()) {
+        settings.calm = true;
+        say_detail("the desktop asks for calm pictures (--no-calm: the usual ones)");
+    }
 }
 
 // The window shows the stage while the dances are loaded. False: it was closed meanwhile.
 Expected<bool> ShowSession::set_stage_in_window() {
-    auto opened = StageLoop::open_window(arguments_.settings, arguments_.window);
+    auto opened = StageLoop::open_window(arguments_.settings, stage_options());
     if (!opened) {
         return fail(opened.error());
     }
@@ -192,20 +215,21 @@ Expected<bool> ShowSession::set_stage_in_window() {
     arguments_.settings = settings;
     setup_ = std::make_shared<StageSetup>(std::move(*setup));
     auto loop =
-        StageLoop::create(arguments_.settings,
-                          {false, arguments_.window, {}, arguments_.outputs, arguments_.video},
-                          *setup_,
-                          std::move(*opened));
+        StageLoop::create(arguments_.settings, stage_options(), *setup_, std::move(*opened));
     if (!loop) {
         return fail(loop.error());
     }
     loop_ = std::move(*loop);
+    loop_->dance_choice().forbid_only(arguments_.forbidden);
     return true;
 }
 
 ExitCode ShowSession::run() {
     for (;;) {
         const auto has_wish = files_ ? play_files() : listen();
+        if (const auto why = loop_->why_lost(); !why.empty()) {
+            return fail(std::string(why));
+        }
         if (!has_wish) {
             return fail(has_wish.error());
         }
@@ -298,7 +322,7 @@ void ShowSession::carry_out(StageWish wish) {
 
 Expected<void> ShowSession::change_music(const std::vector<Path>& files) {
     if (!has_output_) {
-        if (auto chosen = choose_output(arguments_.settings.output); !chosen) {
+        if (auto chosen = choose_output(); !chosen) {
             loop_->say(chosen.error().message + ": it plays without sound");
         }
     }
@@ -317,16 +341,20 @@ Expected<void> ShowSession::change_music(const std::vector<Path>& files) {
 
 Expected<void> ShowSession::change_input(const std::string& name) {
     const auto before = input_;
-    if (auto chosen = choose_input(name); !chosen) {
+    const std::string wanted = std::exchange(arguments_.settings.device, name);
+    if (auto chosen = choose_input(); !chosen) {
+        arguments_.settings.device = wanted;
         return chosen;
     }
     // It may be there and refuse to be opened: then the show goes on with what it had.
     auto graph = open_input();
     if (!graph) {
         input_ = before;
+        arguments_.settings.device = wanted;
         return fail(graph.error());
     }
     opened_ = std::move(*graph);
+    loop_->kept().choose_device(input_->device.name);
     if (files_) {
         say_skipped(*files_);
         files_.reset();
@@ -338,10 +366,12 @@ Expected<void> ShowSession::change_output(const std::string& name) {
     if (arguments_.is_soundless) {
         return fail("it plays without sound, as asked for: start without --no-sound");
     }
-    if (auto chosen = choose_output(name); !chosen) {
+    const std::string wanted = std::exchange(arguments_.settings.output, name);
+    if (auto chosen = choose_output(); !chosen) {
+        arguments_.settings.output = wanted;
         return chosen;
     }
-    arguments_.settings.output = name;
+    loop_->kept().choose_output(output_->name);
     if (!files_) {
         loop_->say("music that is dropped here plays on " + name);
     }

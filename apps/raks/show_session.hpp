@@ -29,9 +29,11 @@ class ShowSession {
 
  private:
     [[nodiscard]] Expected<void> choose_files(const std::vector<Path>& given);
-    [[nodiscard]] Expected<void> choose_input(const std::string& wanted);
-    [[nodiscard]] Expected<void> choose_output(const std::string& wanted);
+    [[nodiscard]] Expected<void> choose_input();
+    [[nodiscard]] Expected<void> choose_output();
     [[nodiscard]] Expected<audio::AudioSystem*> system();
+    [[nodiscard]] StageLoop::Options stage_options() const;
+    void recall_window();
     [[nodiscard]] Expected<void> set_stage();
     [[nodiscard]] Expected<bool> set_stage_in_window();
     [[nodiscard]] Expected<void> listen_or_play_own();
@@ -57,6 +59,7 @@ class ShowSession {
     std::unique_ptr<PlaySet> files_;             // null: an input is listened to
     std::optional<double> place_;                // in the file at which it goes on
     std::shared_ptr<StageSetup> setup_;
+    KeptWindow kept_;
     std::unique_ptr<StageLoop> loop_;
     std::string why_own_music_;
     bool has_failed_ = false;

@@ -48,20 +48,23 @@ std::string level_meter(float dbfs) {
 }
 
 Expected<StageLoop::OpenedWindow> StageLoop::open_window(const engine::Settings& settings,
-                                                         const WindowWish& wish) {
+                                                         const Options& options) {
     auto look = open_look(settings);
     if (!look) {
         return fail(look.error());
     }
-    auto window = render::Window::create({.title = "Raks",
-                                          .width = look->size.width,
-                                          .height = look->size.height,
-                                          .is_fullscreen = wish.is_fullscreen,
-                                          .is_transparent = true,
-                                          .is_borderless = wish.is_borderless,
-                                          .is_on_top = wish.is_on_top,
-                                          .samples = 0,
-                                          .max_fps = settings.fps});
+    render::WindowOptions how;
+    how.width = look->size.width;
+    how.height = look->size.height;
+    how.is_fullscreen = options.window.is_fullscreen;
+    how.is_transparent = true;
+    how.is_borderless = options.window.is_borderless;
+    how.is_on_top = options.window.is_on_top;
+    how.max_fps = settings.fps;
+    // A film that is recorded is completed then.
+    how.outlives_loss = true;
+    options.kept.place(how);
+    auto window = render::Window::create(how);
     if (!window) {
         return fail(window.error());
     }
@@ -96,6 +99,9 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
 
 // The window, or where pictures are drawn without one that somebody wants.
 Expected<void> StageLoop::open_pictures(std::optional<OpenedWindow> opened) {
+    if (!options_.video.wishes.empty() || !options_.video.record.empty()) {
+        static_cast<void>(said_film_fps(settings_));
+    }
     if (!options_.video.wishes.empty()) {
         auto video = VideoShow::create(options_.video, settings_);
         if (!video) {
@@ -112,7 +118,7 @@ Expected<void> StageLoop::open_pictures(std::optional<OpenedWindow> opened) {
         return open_studio();
     }
     if (!opened) {
-        auto window = open_window(settings_, options_.window);
+        auto window = open_window(settings_, options_);
         if (!window) {
             return fail(window.error());
         }
@@ -172,6 +178,9 @@ StageLoop::StageLoop(const engine::Settings& settings, const Options& options, S
           [this] { return dancers(); },
           [this](const std::string& line) { say(line); }),
       sources_(means_of_sources()),
+      presets_([this] { return preset_now(); },
+               [this](const engine::Preset& preset) { take_preset(preset); },
+               [this](const std::string& line) { say(line); }),
       formation_(formations_->name()) {}
 
 void StageLoop::adopt(StageSetup& setup) {
@@ -191,6 +200,9 @@ DanceChoice::Dancers StageLoop::dancers() {
 
 // The graph has gone before. Where nothing was played, something else was said.
 StageLoop::~StageLoop() {
+    if (window_) {
+        options_.kept.close(*window_);
+    }
     const std::string line = recording_.stop(nullptr);
     if (has_run_ && !line.empty()) {
         say(line);

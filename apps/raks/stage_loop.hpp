@@ -13,7 +13,9 @@
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_choice.hpp"
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/kept_window.hpp"
 #include "apps/raks/play_queue.hpp"
+#include "apps/raks/preset_choice.hpp"
 #include "apps/raks/show_recording.hpp"
 #include "apps/raks/source_choice.hpp"
 #include "apps/raks/video_show.hpp"
@@ -79,6 +81,7 @@ class StageLoop final : private engine::WindowContent {
         std::optional<double> seconds;                 ///< ends after this much of the music
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
         VideoArguments video = {};                     ///< who has the pictures, too
+        KeptWindow kept = {};                          ///< where the window was before
     };
     /// A window that shows the stage while something is loaded, and the look that it has.
     struct OpenedWindow {
@@ -88,7 +91,7 @@ class StageLoop final : private engine::WindowContent {
     /// Opens the window. Errors: no display, no OpenGL, an unknown theme or camera, an avatar that
     /// cannot be used.
     [[nodiscard]] static Expected<OpenedWindow> open_window(const engine::Settings& settings,
-                                                            const WindowWish& wish);
+                                                            const Options& options);
 
     /// `settings` and `setup` must outlive this. `opened`: the window that is open already; none:
     /// it is opened where one is asked for. Errors: those of open_window; an output that cannot be
@@ -111,6 +114,11 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] StageWish take_wish() { return std::exchange(asked_, {}); }
     /// Other dances take the place of those before; between two runs. `setup` must outlive this.
     void adopt(StageSetup& setup);
+    /// Why nothing can be shown any more (render::Window::why_lost); empty: it can, or there is no
+    /// window. Then run() has ended.
+    [[nodiscard]] std::string_view why_lost() const { return window_ ? window_->why_lost() : ""; }
+    /// What is kept of the window for the next time.
+    [[nodiscard]] KeptWindow& kept() noexcept { return options_.kept; }
     /// Which dance a person has chosen.
     [[nodiscard]] DanceChoice& dance_choice() noexcept { return choice_; }
 
@@ -141,7 +149,11 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] bool is_last_file() const;
     void bind_playing(engine::ActionDispatcher& actions);
     void bind_choices(engine::ActionDispatcher& actions);
+    void bind_presets(engine::ActionDispatcher& actions);
     [[nodiscard]] SourceChoice::Means means_of_sources();
+    [[nodiscard]] engine::Preset preset_now();
+    void take_preset(const engine::Preset& preset);
+    void change_outputs(const std::vector<std::string>& targets);
     void say_fault(const Expected<void>& done);
     void ask(StageWish wish);
     void play_dropped(const std::vector<Path>& files);
@@ -192,6 +204,7 @@ class StageLoop final : private engine::WindowContent {
     std::unique_ptr<engine::Outputs> outputs_;
     DanceChoice choice_;
     SourceChoice sources_;
+    PresetChoice presets_;
     std::string formation_;  // whose distance the camera has
     // What was danced when the last file ended; kept with K, it goes on with the next file.
     DanceId last_dance_ = DanceId::none;

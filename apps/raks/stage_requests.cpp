@@ -69,6 +69,7 @@ void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
     if (!window_) {
         return;
     }
+    bind_presets(actions);
     actions.on(Action::choose_source, [this](double) {
         window_->toggle_list(SourceChoice::kName, 0, [this] { return sources_.offer(); });
     });
@@ -80,6 +81,99 @@ void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
         stop_performing();
         window_->toggle_list(kDances, 0, [this] { return choice_.offer(); });
     });
+}
+
+// What a preset holds is what is seen, so that it needs a window.
+void StageLoop::bind_presets(engine::ActionDispatcher& actions) {
+    actions.on(Action::choose_preset, [this](double) {
+        window_->toggle_list(PresetChoice::kName, 0, [this] { return presets_.offer(); });
+    });
+    actions.on(Action::save_preset, [this](double) {
+        window_->toggle_list(
+            PresetChoice::kName, PresetChoice::kSavePage, [this] { return presets_.offer(); });
+    });
+    actions.on_text(Action::choose_preset,
+                    [this](const std::string& name) { say_fault(presets_.take(name)); });
+    actions.on_text(Action::save_preset,
+                    [this](const std::string& name) { say_fault(presets_.save(name)); });
+}
+
+engine::Preset StageLoop::preset_now() {
+    const render::Scene& scene = window_->scene();
+    engine::Preset preset;
+    preset.theme = scene.theme->name;
+    preset.camera = window_->camera_name();
+    preset.backdrop = engine::backdrop_word(scene);
+    preset.view = scene.view == render::View::stick ? "stick" : "skin";
+    preset.avatars =
+        window_->chosen_avatars().empty() ? settings_.avatars : window_->chosen_avatars();
+    preset.dance = choice_.name().empty() ? "auto" : std::string(choice_.name());
+    preset.formation = formations_->name();
+    preset.forbidden = choice_.forbidden();
+    preset.outputs.emplace();
+    for (const engine::VideoWish& wish : options_.video.wishes) {
+        preset.outputs->push_back(wish.target);
+    }
+    return preset;
+}
+
+// What cannot be had is said, and the rest is done.
+void StageLoop::take_preset(const engine::Preset& preset) {
+    render::Scene& scene = window_->scene();
+    if (preset.theme) {
+        const auto theme = render::find_theme(*preset.theme);
+        theme ? void(scene.theme = *theme) : say(theme.error().message);
+    }
+    if (preset.backdrop) {
+        if (const auto backdrop = engine::parse_backdrop(*preset.backdrop)) {
+            set_backdrop(scene, *backdrop);
+        }
+    }
+    if (preset.view && *preset.view != "auto") {
+        scene.view = *preset.view == "stick" ? render::View::stick : render::View::skin;
+    }
+    if (preset.camera) {
+        window_->set_camera(*preset.camera, *this);
+    }
+    if (preset.avatars && *preset.avatars != *preset_now().avatars) {
+        window_->wear(*preset.avatars);
+    }
+    if (preset.formation && *preset.formation != formations_->name()) {
+        say_fault(formations_->ask_for(*preset.formation));
+    }
+    if (preset.forbidden) {
+        choice_.forbid_only(*preset.forbidden);
+    }
+    if (preset.dance && *preset.dance != *preset_now().dance) {
+        say_fault(choice_.select(*preset.dance));
+    }
+    if (preset.outputs) {
+        change_outputs(*preset.outputs);
+    }
+}
+
+// The outputs that are open already stay where they are all that is asked for.
+void StageLoop::change_outputs(const std::vector<std::string>& targets) {
+    if (targets == *preset_now().outputs) {
+        return;
+    }
+    VideoArguments wished = options_.video;
+    wished.wishes.clear();
+    for (const std::string& target : targets) {
+        wished.wishes.push_back({.target = target});
+    }
+    video_.reset();
+    options_.video = wished;
+    if (targets.empty()) {
+        return;
+    }
+    auto video = VideoShow::create(wished, settings_);
+    if (!video) {
+        options_.video.wishes.clear();
+        say(video.error().message);
+        return;
+    }
+    video_ = std::move(*video);
 }
 
 void StageLoop::say_fault(const Expected<void>& done) {

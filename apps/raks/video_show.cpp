@@ -12,7 +12,7 @@ Expected<std::unique_ptr<VideoShow>> VideoShow::create(const VideoArguments& ask
     if (!size) {
         return fail(size.error());
     }
-    const render::FrameRate rate = render::FrameRate::nearest(settings.fps);
+    const render::FrameRate rate = render::FrameRate::nearest(engine::film_fps(settings));
     auto output = engine::VideoOutput::open(
         asked.wishes, {size->width, size->height, rate.numerator, rate.denominator});
     if (!output) {

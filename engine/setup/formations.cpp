@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/suggest.hpp"
 #include "engine/setup/asked_formation.hpp"
 #include "engine/setup/dance_files.hpp"
 
@@ -69,6 +70,17 @@ std::string_view Formations::ask_for_next() {
     asked_ = after(asked_);
     is_waiting_ = true;
     return name_of(asked_);
+}
+
+Expected<void> Formations::ask_for(std::string_view name) {
+    const auto& names = motion::kFormationNames;
+    const auto* const found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        return fail(unknown_name("formation", name, names));
+    }
+    asked_ = static_cast<motion::Formation>(found - names.begin());
+    is_waiting_ = true;
+    return {};
 }
 
 void Formations::ask_for_bodies(const std::vector<motion::Skeleton>& bodies) {

@@ -39,6 +39,8 @@ class Formations {
 
     /// Asks for the formation that follows the one asked for last, cyclically; returns its name.
     std::string_view ask_for_next();
+    /// Asks for the one of this name. Errors: there is none.
+    [[nodiscard]] Expected<void> ask_for(std::string_view name);
     /// Asks for the same dances solved for other bodies, which dancers have in turn, and which
     /// stand as high as those before (render::dance_body). Until they are, the dance goes on as it
     /// is.

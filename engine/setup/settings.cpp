@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <span>
 #include <system_error>
-#include <variant>
+#include <utility>
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
-#include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
+#include "engine/setup/settings_reader.hpp"
 #include "engine/setup/settings_table.hpp"
 #include "engine/setup/user_folders.hpp"
 
@@ -21,223 +20,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Version of the file format that this program reads.
-constexpr std::int64_t kVersion = 1;
+constexpr std::size_t kLongestShown = 60;  // bytes of a wrong value in an error
 
-// A value that is one text, or several.
-using Texts = std::vector<std::string>;
-
-// One text stands for itself, several as a list.
-std::string toml_texts(const Texts& texts) {
-    if (texts.size() == 1) {
-        return toml_quoted(texts.front());
-    }
-    std::string list;
-    for (const std::string& text : texts) {
-        list += (list.empty() ? "" : ", ") + toml_quoted(text);
-    }
-    return "[" + list + "]";
-}
-
-// "FILE: line N": how errors name a place.
-std::string where(const std::string& name, const toml::source_region& source) {
-    return fmt::format("{}: line {}", name, source.begin.line);
-}
-
-// A text, or a list of texts that is not empty; none: it is something else.
-std::optional<Texts> texts_of(const toml::node& node) {
-    if (const auto* const text = node.as_string()) {
-        return Texts{text->get()};
-    }
-    const toml::array* const list = node.as_array();
-    if (list == nullptr || list->empty()) {
-        return std::nullopt;
-    }
-    Texts texts;
-    for (const toml::node& element : *list) {
-        const auto* const text = element.as_string();
-        if (text == nullptr) {
-            return std::nullopt;
-        }
-        texts.push_back(text->get());
-    }
-    return texts;
-}
-
-// Puts one value of the file into its field; returns the error's message, or nothing.
-std::string assign(const SettingRow& row, const toml::node& node, Settings& settings) {
-    return std::visit(
-        [&](auto field) -> std::string {
-            using T = std::remove_reference_t<decltype(settings.*field)>;
-            if constexpr (std::is_same_v<T, Texts>) {
-                auto texts = texts_of(node);
-                if (!texts) {
-                    return full_name(row) + " must be a text, or a list of texts";
-                }
-                settings.*field = std::move(*texts);
-                return {};
-            } else {
-                const std::optional<T> value = node.value<T>();
-                // node.value() converts between whole numbers, decimals and truth values; a file
-                // must not mean one by another. A whole number for a decimal is fine.
-                if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
-                    (std::is_same_v<T, bool> && !node.is_boolean())) {
-                    constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
-                                                      : std::is_same_v<T, bool> ? "true or false"
-                                                                                : "a number";
-                    return fmt::format("{} must be {}", full_name(row), kind);
-                }
-                settings.*field = *value;
-                return {};
-            }
-        },
-        row.field);
-}
-
-// The keys of a file that are unknown: a newer version may have written it, and what it says of
-// others holds.
-class UnknownKeys {
- public:
-    explicit UnknownKeys(std::string file) : file_(std::move(file)) {}
-
-    // The nearest is looked for among `known`.
-    void add(const toml::node& node,
-             const std::string& key,
-             std::span<const std::string_view> known) {
-        constexpr std::size_t kMostLines = 5;
-        if (++count_ <= kMostLines) {
-            const std::string name = printable(key, 60);
-            lines_.push_back(fmt::format("{}: key \"{}\" is unknown and ignored{}",
-                                         where(file_, node.source()),
-                                         name,
-                                         suggestion(name, known)));
-        }
-    }
-    [[nodiscard]] SettingsNotes lines() && {
-        if (count_ > lines_.size()) {
-            lines_.push_back(
-                fmt::format("{}: {} more keys are unknown", file_, count_ - lines_.size()));
-        }
-        return std::move(lines_);
-    }
-
- private:
-    std::string file_;
-    SettingsNotes lines_;
-    std::size_t count_ = 0;
-};
-
-// Of the file, in its order.
-std::vector<std::string_view> section_names() {
-    std::vector<std::string_view> names;
-    for (const SettingRow& row : setting_rows()) {
-        if (names.empty() || names.back() != row.section) {
-            names.push_back(row.section);
-        }
-    }
-    return names;
-}
-
-// Reads one section, such as [audio].
-Expected<void> read_section(const std::string& name,
-                            std::string_view section,
-                            const toml::table& table,
-                            Settings& settings,
-                            UnknownKeys& unknown) {
-    const auto rows = setting_rows();
-    for (const auto& entry : table) {
-        const std::string_view name_in_file = entry.first.str();
-        const toml::node& node = entry.second;
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const SettingRow& each) {
-            return each.section == section && each.name == name_in_file;
-        });
-        // The suggestion is looked for among the names of all sections: a key may stand in a wrong
-        // one.
-        if (row == rows.end()) {
-            std::vector<std::string> names;
-            std::transform(rows.begin(), rows.end(), std::back_inserter(names), full_name);
-            const std::vector<std::string_view> known(names.begin(), names.end());
-            unknown.add(node, fmt::format("{}.{}", section, name_in_file), known);
-            continue;
-        }
-        const std::string fault = assign(*row, node, settings);
-        if (!fault.empty()) {
-            return fail(where(name, node.source()) + ": " + fault);
-        }
-    }
-    return {};
-}
-
-// Reads a whole document over `settings`.
-Expected<void> read_table(const std::string& name,
-                          const toml::table& table,
-                          Settings& settings,
-                          UnknownKeys& unknown) {
-    // Both are optional: a file written by hand may consist of keys alone. They are checked before
-    // the keys, so that a newer file is told from one with a mistake.
-    const std::int64_t version = table["version"].value_or(kVersion);
-    if (table["format"].value_or(std::string("raks-config")) != "raks-config") {
-        return fail(name + ": format is not \"raks-config\"; this is another kind of file");
-    }
-    if (version != kVersion) {
-        return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
-                                name,
-                                version,
-                                kVersion));
-    }
-    for (const auto& entry : table) {
-        const std::string_view key = entry.first.str();
-        const toml::node& node = entry.second;
-        if (key == "format" || key == "version") {
-            continue;
-        }
-        const auto sections = section_names();
-        const bool is_section = std::find(sections.begin(), sections.end(), key) != sections.end();
-        if (is_section && !node.is_table()) {
-            return fail(fmt::format("{}: {} must be a section", where(name, node.source()), key));
-        }
-        if (!is_section) {
-            std::vector<std::string_view> known = sections;
-            known.insert(known.end(), {"format", "version"});
-            unknown.add(node, std::string(key), known);
-            continue;
-        }
-        if (auto read = read_section(name, key, *node.as_table(), settings, unknown); !read) {
-            return read;
-        }
-    }
-    return {};
+// The installed file names every setting: of those that are as they are built in it says nothing.
+std::string origin_in_words(const SettingRow& row, const Settings& settings) {
+    const SettingOrigin& origin = origin_of(settings, row.field);
+    const bool is_default = origin.rank == SettingRank::installed &&
+                            toml_value(row, settings) == toml_value(row, Settings{});
+    return in_words(is_default ? SettingOrigin{} : origin);
 }
 
 }  // namespace
 
 Expected<SettingsNotes> parse_settings(std::string_view text,
                                        const std::string& name,
-                                       Settings& settings) {
+                                       Settings& settings,
+                                       SettingRank rank) {
     const auto table = parse_toml(text, name);
     if (!table) {
         return fail(table.error());
     }
     // Read into a copy, so that an error leaves the caller's settings as they were.
     Settings result = settings;
-    UnknownKeys unknown(name);
-    if (auto read = read_table(name, *table, result, unknown); !read) {
-        return fail(std::move(read.error()));
+    auto notes = read_settings_table(*table, name, {.rank = rank}, result);
+    if (!notes) {
+        return notes;
     }
     if (const std::vector<std::string> faults = validate(result); !faults.empty()) {
         return fail(name + ": " + faults.front());
     }
-    settings = result;
-    return std::move(unknown).lines();
+    settings = std::move(result);
+    return notes;
 }
 
-Expected<SettingsNotes> read_settings(const fs::path& path, Settings& settings) {
-    // 1 MiB at most: a wrong file is refused before it fills the memory.
-    const auto text = read_text_file(path, std::size_t{1} << 20U);
+Expected<SettingsNotes> read_settings(const fs::path& path, Settings& settings, SettingRank rank) {
+    // A wrong file is refused before it fills the memory.
+    const auto text = read_text_file(path, kLongestSettings);
     if (!text) {
         return fail(text.error());
     }
-    return parse_settings(*text, path.string(), settings);
+    return parse_settings(*text, path.string(), settings, rank);
 }
 
 std::vector<std::string> validate(const Settings& settings) {
@@ -260,34 +82,22 @@ std::vector<std::string> validate(const Settings& settings) {
     return faults;
 }
 
-std::string to_toml(const Settings& settings) {
+std::string to_toml(const Settings& settings, TomlComments comments) {
     std::string text = fmt::format(
         "# Settings of Raks. Command line options win over this file.\n"
         "format = \"raks-config\"\nversion = {}\n",
-        kVersion);
+        kSettingsVersion);
     std::string_view section;
     for (const SettingRow& row : setting_rows()) {
         if (row.section != section) {
             section = row.section;
             text += fmt::format("\n[{}]\n", section);
         }
-        const std::string value = std::visit(
-            [&](auto field) -> std::string {
-                using T = std::decay_t<decltype(settings.*field)>;
-                if constexpr (std::is_same_v<T, std::string>) {
-                    return toml_quoted(settings.*field);
-                } else if constexpr (std::is_same_v<T, Texts>) {
-                    return toml_texts(settings.*field);
-                } else if constexpr (std::is_same_v<T, double>) {
-                    const std::string number = fmt::format("{}", settings.*field);
-                    // A decimal point, so that TOML reads the number back as a decimal.
-                    return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
-                } else {
-                    return fmt::format("{}", settings.*field);
-                }
-            },
-            row.field);
-        text += fmt::format("{} = {}  # {}\n", row.name, value, help_of(row));
+        text += fmt::format(
+            "{} = {}  # {}\n",
+            row.name,
+            toml_value(row, settings),
+            comments == TomlComments::help ? help_of(row) : origin_in_words(row, settings));
     }
     return text;
 }
@@ -301,18 +111,18 @@ fs::path user_cache_path() { return xdg_folder("XDG_CACHE_HOME", ".cache"); }
 
 Expected<LoadedSettings> load_settings() {
     LoadedSettings loaded;
-    std::vector<fs::path> files;
+    std::vector<std::pair<fs::path, SettingRank>> files;
     if (const auto installed = data_path("config/default.toml")) {
-        files.push_back(*installed);
+        files.emplace_back(*installed, SettingRank::installed);
     }
-    files.push_back(user_settings_path());
     // The user's file last: it wins.
-    for (const fs::path& file : files) {
+    files.emplace_back(user_settings_path(), SettingRank::config);
+    for (const auto& [file, rank] : files) {
         std::error_code ignored;
         if (file.empty() || !fs::exists(file, ignored)) {
             continue;
         }
-        auto read = read_settings(file, loaded.settings);
+        auto read = read_settings(file, loaded.settings, rank);
         if (!read) {
             return fail(read.error());
         }
@@ -365,7 +175,7 @@ Expected<PictureSize> parse_size(std::string_view text) {
     return fail(
         fmt::format("\"{}\" is not a picture size; write WIDTHxHEIGHT, 16 to 7680 each, "
                     "such as 1280x720",
-                    text));
+                    printable(text, kLongestShown)));
 }
 
 Expected<AskedBackdrop> parse_backdrop(std::string_view text) {
@@ -386,8 +196,9 @@ Expected<AskedBackdrop> parse_backdrop(std::string_view text) {
             return AskedBackdrop{.is_stage = false, .key = {{part(16), part(8), part(0)}}};
         }
     }
-    return fail(fmt::format(
-        "\"{}\" is no backdrop; write stage, transparent, or a colour such as #00ff00", text));
+    return fail(
+        fmt::format("\"{}\" is no backdrop; write stage, transparent, or a colour such as #00ff00",
+                    printable(text, kLongestShown)));
 }
 
 }  // namespace raks::engine

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "engine/setup/setting_origins.hpp"
 
 namespace raks::engine {
 
@@ -17,7 +18,8 @@ namespace raks::engine {
 inline constexpr std::size_t kMostAvatars = 32;
 
 /// What a user can set. Precedence, lowest first: these defaults, the installed
-/// config/default.toml, $XDG_CONFIG_HOME/raks/config.toml, the command line. File format:
+/// config/default.toml, what the window was last (where one opens),
+/// $XDG_CONFIG_HOME/raks/config.toml, a preset, the command line. File format:
 /// docs/reference/files.md.
 struct Settings {
     // [audio]
@@ -53,13 +55,16 @@ struct Settings {
     std::string camera = "director";  ///< or a preset: wide, portrait, front or side
     bool calm = false;                ///< fewer cuts; light changes slowly, little, with no accent
     std::string size = "1280x720";    ///< WIDTHxHEIGHT
-    double fps = 30.0;                ///< pictures a second, [1, 240]
+    double fps = 30.0;                ///< pictures a second, [1, 240]; 0: the monitor's
     std::string quality = "auto";     ///< auto, fast or high
     std::string view = "auto";        ///< auto (stick when danced by positions), skin or stick
     bool face_blink = true;           ///< eyes blink by themselves
     bool face_mouth = true;           ///< the mouth opens with the music
     bool face_gaze = true;            ///< eyes look at the camera, or at the partner
     bool overlay = true;              ///< tempo, bar, dance and levels over the picture
+    // Not in the table: no key of config.toml, and no option.
+    std::vector<std::string> forbidden_dances;  ///< that a preset forbids
+    SettingOrigins origins;                     ///< where each of the table has its value from
 };
 
 /// Lines for people.
@@ -67,19 +72,24 @@ using SettingsNotes = std::vector<std::string>;
 /// Reads a TOML file over `settings`: keys that it lacks keep their value. Returns a line for each
 /// key that is unknown (that of a newer version, or misspelt: it names the nearest known one), up
 /// to six; such keys are passed over. Errors name file, line and key; a value out of range the
-/// range. On error `settings` is unchanged.
+/// range. On error `settings` is unchanged. `rank`: of the file, noted in `settings.origins`.
 [[nodiscard]] Expected<SettingsNotes> read_settings(const std::filesystem::path& path,
-                                                    Settings& settings);
+                                                    Settings& settings,
+                                                    SettingRank rank = SettingRank::config);
 /// The same from a text; `name` stands for the file in lines and errors.
 [[nodiscard]] Expected<SettingsNotes> parse_settings(std::string_view toml,
                                                      const std::string& name,
-                                                     Settings& settings);
+                                                     Settings& settings,
+                                                     SettingRank rank = SettingRank::config);
 
 /// Every fault of the values, one line each; for those of the command line too. Empty: none.
 [[nodiscard]] std::vector<std::string> validate(const Settings& settings);
 
+/// What to_toml() says of each value: what it is for, or who has set it.
+enum class TomlComments : std::uint8_t { help, origins };
 /// The settings as a TOML document with comments; reading it back gives the same settings.
-[[nodiscard]] std::string to_toml(const Settings& settings);
+[[nodiscard]] std::string to_toml(const Settings& settings,
+                                  TomlComments comments = TomlComments::help);
 
 /// Where the user's file lies: $XDG_CONFIG_HOME/raks/config.toml, or below ~/.config. Empty:
 /// neither variable names an absolute path.
@@ -106,9 +116,16 @@ struct LoadedSettings {
 struct PictureSize {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 /// Parses "1280x720". Errors: not of this form; a side outside 16 to 7680 pixels.
 [[nodiscard]] Expected<PictureSize> parse_size(std::string_view text);
+
+/// Pictures a second of what is no window, a film or an output: 30 where those of a window are the
+/// monitor's.
+[[nodiscard]] inline double film_fps(const Settings& settings) noexcept {
+    return settings.fps > 0.0 ? settings.fps : Settings{}.fps;
+}
 
 /// What lies behind the dancers, as asked for.
 struct AskedBackdrop {

@@ -225,9 +225,10 @@ const std::array kRows = std::to_array<SettingRow>({
     {.section = "picture",
      .name = "fps",
      .field = &Settings::fps,
-     .range = {1, 240},
-     .help = "pictures a second",
-     .option = {"--fps", kShows | kSheet}},
+     .range = {1, 240, true},
+     .help = "pictures a second; 0: as many as the monitor shows",
+     .option = {"--fps", kShows | kSheet},
+     .manual = "pictures a second; 0: as many as the monitor shows, of a film 30"},
     {.section = "picture",
      .name = "quality",
      .field = &Settings::quality,
@@ -289,6 +290,18 @@ const SettingRow& row_of(SettingField field) {
     return *row;
 }
 
+const SettingOrigin& origin_of(const Settings& settings, SettingField field) {
+    return settings.origins.of(full_name(row_of(field)));
+}
+
+void take_setting(SettingField field, const Settings& from, Settings& to) {
+    const SettingOrigin& origin = origin_of(from, field);
+    if (origin_of(to, field).rank <= origin.rank) {
+        std::visit([&](auto member) { to.*member = from.*member; }, field);
+        to.origins.set(full_name(row_of(field)), origin);
+    }
+}
+
 std::string full_name(const SettingRow& row) { return fmt::format("{}.{}", row.section, row.name); }
 
 std::string help_of(const SettingRow& row) {
@@ -302,11 +315,13 @@ std::string help_of(const SettingRow& row) {
 std::string fault_of(const SettingRow& row, const Settings& settings) {
     if (const auto number = number_of(row, settings)) {
         // Written so that NaN is a fault.
-        return *number >= row.range.low && *number <= row.range.high
+        const bool is_in = *number >= row.range.low && *number <= row.range.high;
+        return is_in || (row.range.has_zero && *number == 0.0)
                    ? std::string()
-                   : fmt::format("{} is {}, must be {} to {}",
+                   : fmt::format("{} is {}, must be {}{} to {}",
                                  full_name(row),
                                  *number,
+                                 row.range.has_zero ? "0, or " : "",
                                  row.range.low,
                                  row.range.high);
     }

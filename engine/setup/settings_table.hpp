@@ -44,6 +44,7 @@ class Words {
 struct Range {
     double low = 0.0;
     double high = 0.0;
+    bool has_zero = false;  ///< 0 besides, below `low`
 };
 
 /// The commands whose option a setting is, as bits. Commands that measure name the few that they
@@ -82,6 +83,13 @@ struct SettingRow {
 
 /// The row of a field. Precondition: it has one.
 [[nodiscard]] const SettingRow& row_of(SettingField field);
+
+/// Where the value of a setting comes from.
+[[nodiscard]] const SettingOrigin& origin_of(const Settings& settings, SettingField field);
+
+/// Copies the value of a setting with its origin, unless a higher rank has set it in `to`: so that
+/// it does not matter in which order they come.
+void take_setting(SettingField field, const Settings& from, Settings& to);
 
 /// "picture.theme": how errors name a setting.
 [[nodiscard]] std::string full_name(const SettingRow& row);

@@ -7,6 +7,8 @@
 #include "engine/setup/asked_formation.hpp"
 #include "render/avatar/avatar.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::engine {
 namespace {
 
@@ -61,6 +63,18 @@ void set_backdrop(render::Scene& scene, const AskedBackdrop& backdrop) noexcept 
                      : backdrop.key    ? render::Backdrop::key
                                        : render::Backdrop::transparent;
     scene.key = backdrop.key.value_or(scene.key);
+}
+
+std::string backdrop_word(const render::Scene& scene) {
+    switch (scene.backdrop) {
+        case render::Backdrop::stage:
+            return "stage";
+        case render::Backdrop::transparent:
+            return "transparent";
+        case render::Backdrop::key:
+            break;
+    }
+    return fmt::format("#{:02x}{:02x}{:02x}", scene.key[0], scene.key[1], scene.key[2]);
 }
 
 void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept {

@@ -35,6 +35,9 @@ struct Look {
 /// Pure.
 void set_backdrop(render::Scene& scene, const AskedBackdrop& backdrop) noexcept;
 
+/// The word of a scene's backdrop, as parse_backdrop takes it. Pure.
+[[nodiscard]] std::string backdrop_word(const render::Scene& scene);
+
 /// Puts avatars on, at least one, and the camera where the size of the largest asks for. Pure.
 void put_on(std::vector<LoadedAvatar> avatars, Look& look) noexcept;
 

@@ -169,6 +169,7 @@ void WindowLoop::bind_window(ActionDispatcher& actions) {
         }
     });
     actions.on(Action::clean_picture, [this](double) { toggle_clean(); });
+    actions.on(Action::next_monitor, [this](double) { go_to_next_monitor(); });
     actions.on(Action::toggle_fullscreen, [this](double) { window_.toggle_fullscreen(); });
     actions.on(Action::toggle_border, [this](double) {
         say(window_.toggle_border() ? "the window has its frame"
@@ -261,6 +262,9 @@ void WindowLoop::handle(const render::MouseButtonEvent& button,
         return;
     }
     const auto control = controls_.at(button.x, button.y);
+    if (is_click && button.is_double && !control) {
+        window_.toggle_fullscreen();
+    }
     if (!is_click || !control) {
         return;
     }
@@ -375,7 +379,7 @@ void WindowLoop::save_screenshot() {
 
 // The list is made when it is opened: what the actions handle depends on the content.
 void WindowLoop::toggle_help(const WindowContent& content, const ActionDispatcher& actions) {
-    is_clean_ = false;
+    end_clean();
     list_.close();
     help_.turn(help_rows(content.own_keys(), actions));
     // The help lies on the cards' layer and would stay invisible while that is hidden.
@@ -389,20 +393,38 @@ void WindowLoop::toggle_overlay() {
     overlay_view_ = is_bare ? render::OverlayView::shown : render::OverlayView::hidden;
     // Hiding everything closes the help, too.
     help_.close();
-    is_clean_ = false;
+    end_clean();
+}
+
+void WindowLoop::end_clean() {
+    if (std::exchange(is_clean_, false)) {
+        window_.show_pointer(true);
+    }
 }
 
 void WindowLoop::toggle_clean() {
     is_clean_ = !is_clean_;
     help_.close();
     list_.close();
+    window_.show_pointer(!is_clean_);
+}
+
+void WindowLoop::go_to_next_monitor() {
+    const std::string name = window_.go_to_next_monitor();
+    say(name.empty() ? "there is no other monitor" : "full screen on " + printable(name));
+}
+
+void WindowLoop::set_camera(std::string name, const WindowContent& content) {
+    camera_name_ = std::move(name);
+    is_from_above_ = false;
+    let_go_of_camera(content);
 }
 
 void WindowLoop::toggle_list(std::string_view name,
                              std::size_t page,
                              const std::function<std::unique_ptr<ListOffer>()>& offer) {
     help_.close();
-    is_clean_ = false;
+    end_clean();
     if (list_.name() == name && list_.page() == page) {
         list_.close();
     } else {
@@ -508,7 +530,9 @@ void WindowLoop::change_avatar() {
         say(changed.error().message);
     } else if (!changed->empty()) {
         scene_.camera = camera_for(scene_.camera, drawing_.bodies.size() / size_before);
+        chosen_avatars_.clear();
         for (const LoadedAvatar& avatar : *changed) {
+            chosen_avatars_.push_back(avatar.name);
             say_avatar(avatar);
         }
     }

@@ -144,6 +144,18 @@ class WindowLoop {
     [[nodiscard]] std::string_view notice() const noexcept { return drawing_.renderer.notice(); }
     /// Whether what is transparent shows what lies behind the window: a compositor runs.
     [[nodiscard]] bool is_transparent() const { return window_.is_transparent(); }
+    /// Why nothing can be shown any more; empty: it can (render::Window::why_lost).
+    [[nodiscard]] std::string_view why_lost() const { return window_.why_lost(); }
+    /// Where the window is (render::Window::place).
+    [[nodiscard]] std::optional<render::WindowPlace> place() const { return window_.place(); }
+    /// The avatars that a person has chosen in the window and that are worn; empty: none.
+    [[nodiscard]] const std::vector<std::string>& chosen_avatars() const noexcept {
+        return chosen_avatars_;
+    }
+    /// The camera's preset, or the director.
+    [[nodiscard]] const std::string& camera_name() const noexcept { return camera_name_; }
+    /// Looks through this preset, or leaves the camera to the director.
+    void set_camera(std::string name, const WindowContent& content);
     /// The bodies that are seen, for whom dances are solved.
     [[nodiscard]] std::vector<motion::Skeleton> dance_bodies() const {
         return drawing_.bodies.dance_bodies();
@@ -177,11 +189,13 @@ class WindowLoop {
     void toggle_help(const WindowContent& content, const ActionDispatcher& actions);
     void toggle_overlay();
     void toggle_clean();
+    void end_clean();
     void go_to_next_camera(const WindowContent& content);
     void look_from(std::size_t direction, const WindowContent& content);
     void let_go_of_camera(const WindowContent& content);
     void go_to_next_theme();
     void go_to_next_backdrop();
+    void go_to_next_monitor();
     void go_to_next_avatar();
     void change_avatar();
     void say_avatar(const LoadedAvatar& avatar);
@@ -197,6 +211,7 @@ class WindowLoop {
     bool is_from_above_ = false;   // steeper than the preset, which shows a dancer's face
     std::string avatar_name_;      // as LoadedAvatar::name, of the first of those asked for last
     AvatarChange avatar_change_;
+    std::vector<std::string> chosen_avatars_;
     render::OverlayView overlay_view_;
     bool is_clean_ = false;  // nothing but the picture, whatever else is to be shown
     HelpList help_;

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "base/thread_priority.hpp"
+#include "render/gl/display_loss.hpp"
+#include "render/gl/glfw_monitors.hpp"
 
 namespace raks::render {
 
@@ -38,7 +40,8 @@ class Glfw {
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
     ~Glfw() {
-        if (--users == 0 && is_up_) {
+        // Of a display that is gone nothing may be asked any more.
+        if (--users == 0 && is_up_ && !is_display_lost()) {
             glfwTerminate();
         }
     }
@@ -88,47 +91,6 @@ constexpr std::array kMouseButtons = {
     std::pair{GLFW_MOUSE_BUTTON_MIDDLE, MouseButton::middle},
 };
 
-// In screen coordinates, which are not pixels on every system.
-struct Rectangle {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
-
-/// The monitor that shows most of the window, or the first one.
-GLFWmonitor* monitor_of(GLFWwindow* window) {
-    Rectangle own;
-    glfwGetWindowPos(window, &own.x, &own.y);
-    glfwGetWindowSize(window, &own.width, &own.height);
-    int count = 0;
-    GLFWmonitor** const monitors = glfwGetMonitors(&count);
-    GLFWmonitor* best = glfwGetPrimaryMonitor();
-    long best_area = 0;
-    for (int i = 0; i < count; ++i) {
-        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
-        int x = 0;
-        int y = 0;
-        glfwGetMonitorPos(monitors[i], &x, &y);
-        // Sides of the rectangle that window and monitor have in common.
-        const long wide = std::min(own.x + own.width, x + mode->width) - std::max(own.x, x);
-        const long high = std::min(own.y + own.height, y + mode->height) - std::max(own.y, y);
-        if (wide > 0 && high > 0 && wide * high > best_area) {
-            best_area = wide * high;
-            best = monitors[i];
-        }
-    }
-    return best;
-}
-
-/// Pictures a second of the monitor that the window is on, where it tells.
-std::optional<double> refresh_rate_of(GLFWwindow* window) {
-    GLFWmonitor* const monitor = monitor_of(window);
-    const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
-    return mode != nullptr && mode->refreshRate > 0 ? std::optional<double>(mode->refreshRate)
-                                                    : std::nullopt;
-}
-
 /// A wish below the monitor's rate is kept by the clock. Fallback the vertical sync paces, and the
 /// limiter stays behind it, unless the monitor tells no rate: then there may be no sync either.
 FrameLimiter limiter_for(double max_fps, std::optional<double> refresh_rate) {
@@ -158,13 +120,17 @@ struct Window::State {
     double mouse_x = 0.0;
     double mouse_y = 0.0;
     HostTime moved_at{};  // when the pointer moved or a button changed
+    bool is_pointer_wanted = true;
     bool is_pointer_hidden = false;
+    DoubleClick double_click;
+    unsigned (*reset_status)() = nullptr;  // null: the driver cannot tell
+    bool has_lost_context = false;
 
     State() = default;
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() {
-        if (handle != nullptr) {
+        if (handle != nullptr && !is_display_lost()) {
             glfwDestroyWindow(handle);
         }
     }
@@ -178,6 +144,8 @@ struct Window::State {
     void on_button(int button, int action);
     void on_mouse(double x, double y);
     void show_or_hide_pointer();
+    void fill(GLFWmonitor* monitor);
+    [[nodiscard]] bool is_lost() const noexcept { return has_lost_context || is_display_lost(); }
     [[nodiscard]] float pixels_per_unit() const;
     [[nodiscard]] bool is_key_down(int key) const { return glfwGetKey(handle, key) == GLFW_PRESS; }
     [[nodiscard]] bool has_shift() const {
@@ -243,11 +211,12 @@ void Window::State::on_character(unsigned int codepoint) {
                                    .is_repeat = is_last_key_a_repeat});
 }
 
-// Shown where it moves, and in a window always.
+// Where it is wanted: shown where it moves, and in a window always.
 void Window::State::show_or_hide_pointer() {
     const bool is_full = glfwGetWindowMonitor(handle) != nullptr;
     const bool is_resting = HostClock::now() - moved_at > kPointerRest;
-    if (const bool hides = is_full && is_resting; hides != is_pointer_hidden) {
+    const bool hides = !is_pointer_wanted || (is_full && is_resting);
+    if (hides != is_pointer_hidden) {
         is_pointer_hidden = hides;
         glfwSetInputMode(handle, GLFW_CURSOR, hides ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
     }
@@ -260,10 +229,13 @@ void Window::State::on_button(int button, int action) {
             // Screen coordinates become pixels: the caller compares them with what is drawn.
             is_held[i] = action == GLFW_PRESS;
             const float scale = pixels_per_unit();
-            arriving.emplace_back(MouseButtonEvent{.button = kMouseButtons[i].second,
-                                                   .is_down = is_held[i],
-                                                   .x = static_cast<float>(mouse_x) * scale,
-                                                   .y = static_cast<float>(mouse_y) * scale});
+            MouseButtonEvent event{.button = kMouseButtons[i].second,
+                                   .is_down = is_held[i],
+                                   .x = static_cast<float>(mouse_x) * scale,
+                                   .y = static_cast<float>(mouse_y) * scale};
+            event.is_double =
+                event.is_down && double_click.press(event.button, event.x, event.y, moved_at);
+            arriving.emplace_back(event);
         }
     }
 }
@@ -298,6 +270,62 @@ float Window::State::pixels_per_unit() const {
     return width > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0F;
 }
 
+namespace {
+
+void set_hints(const WindowOptions& options) {
+    const auto yes_no = [](bool is_on) { return is_on ? GLFW_TRUE : GLFW_FALSE; };
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    // macOS gives a core context only with this; elsewhere it does no harm.
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, options.samples);
+    glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
+    glfwWindowHint(GLFW_DECORATED, yes_no(!options.is_borderless));
+    glfwWindowHint(GLFW_FLOATING, yes_no(options.is_on_top));
+    // Shown once it is where it was.
+    glfwWindowHint(GLFW_VISIBLE, yes_no(options.is_visible && !options.place));
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "raks");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
+}
+
+// Null: refused. Not every driver has contexts of which it tells that they are lost.
+GLFWwindow* create_handle(const WindowOptions& options) {
+    OpeningPlace opening{.at = {}, .width = options.width, .height = options.height};
+    if (options.place) {
+        opening = opening_place(*options.place, monitor_places());
+    }
+    const auto create = [&](int robustness) {
+        set_hints(options);
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+        return glfwCreateWindow(
+            opening.width, opening.height, options.title.c_str(), nullptr, nullptr);
+    };
+    GLFWwindow* handle = options.outlives_loss ? create(GLFW_LOSE_CONTEXT_ON_RESET) : nullptr;
+    handle = handle != nullptr ? handle : create(GLFW_NO_ROBUSTNESS);
+    if (handle != nullptr && options.place) {
+        if (opening.at) {
+            glfwSetWindowPos(handle, opening.at->x, opening.at->y);
+        }
+        if (options.is_visible) {
+            glfwShowWindow(handle);
+        }
+    }
+    return handle;
+}
+
+// The function by which the driver tells that it has lost the context; null: it cannot. The context
+// is current.
+using ResetStatus = unsigned (*)();
+ResetStatus reset_status_of(GLFWwindow* window) {
+    return glfwGetWindowAttrib(window, GLFW_CONTEXT_ROBUSTNESS) == GLFW_LOSE_CONTEXT_ON_RESET
+               ? reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"))
+               : nullptr;
+}
+
+}  // namespace
+
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Window::Window(Window&&) noexcept = default;
 Window& Window::operator=(Window&&) noexcept = default;
@@ -313,22 +341,10 @@ Expected<Window> Window::create(const WindowOptions& options) {
                         : "no display: \"" + std::string(display) + "\": " + last_error() + "; " +
                               options.otherwise);
     }
-    const auto yes_no = [](bool is_on) { return is_on ? GLFW_TRUE : GLFW_FALSE; };
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    // macOS gives a core context only with this; elsewhere it does no harm.
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, options.samples);
-    glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
-    glfwWindowHint(GLFW_DECORATED, yes_no(!options.is_borderless));
-    glfwWindowHint(GLFW_FLOATING, yes_no(options.is_on_top));
-    glfwWindowHint(GLFW_VISIBLE, yes_no(options.is_visible));
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "raks");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
-    state->handle =
-        glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (options.outlives_loss) {
+        outlive_display();
+    }
+    state->handle = create_handle(options);
     if (state->handle == nullptr) {
         return fail("no window with OpenGL 3.3: " + last_error() +
                     "; update the graphics driver, or " + options.otherwise);
@@ -339,6 +355,8 @@ Expected<Window> Window::create(const WindowOptions& options) {
     // Swapping waits for the monitor's refresh.
     glfwSwapInterval(1);
     glfwGetCursorPos(state->handle, &state->mouse_x, &state->mouse_y);
+    state->reset_status =
+        options.reset_status != nullptr ? options.reset_status : reset_status_of(state->handle);
     state->max_fps = options.max_fps;
     state->limiter = limiter_for(options.max_fps, refresh_rate_of(state->handle));
     // Behind everything that can fail, so that no callback sees a half-made state.
@@ -351,15 +369,25 @@ Expected<Window> Window::create(const WindowOptions& options) {
 }
 
 std::span<const WindowEvent> Window::poll_events() {
-    glfwPollEvents();
-    state_->show_or_hide_pointer();
+    if (!state_->is_lost()) {
+        glfwPollEvents();
+        state_->show_or_hide_pointer();
+    }
     // The two vectors keep their storage: no allocation once they have grown.
     state_->delivered.clear();
     std::swap(state_->delivered, state_->arriving);
     return state_->delivered;
 }
 
-bool Window::should_close() const { return glfwWindowShouldClose(state_->handle) == GLFW_TRUE; }
+bool Window::should_close() const {
+    return state_->is_lost() || glfwWindowShouldClose(state_->handle) == GLFW_TRUE;
+}
+
+std::string_view Window::why_lost() const {
+    return is_display_lost()          ? "the display is gone"
+           : state_->has_lost_context ? "the graphics driver was reset and has lost the pictures"
+                                      : "";
+}
 
 void Window::request_close() { glfwSetWindowShouldClose(state_->handle, GLFW_TRUE); }
 
@@ -375,7 +403,8 @@ FrameTarget Window::frame() const {
     FrameTarget target;
     // Framebuffer 0 with its origin at (0, 0) is FrameTarget's default.
     glfwGetFramebufferSize(state_->handle, &target.width, &target.height);
-    return target;
+    // Asked last: the display may have gone with the question.
+    return state_->is_lost() ? FrameTarget() : target;
 }
 
 float Window::content_scale() const {
@@ -389,13 +418,26 @@ double Window::refresh_rate() const {
 }
 
 void Window::present() {
+    if (state_->is_lost()) {
+        return;
+    }
     glfwSwapBuffers(state_->handle);
+    state_->has_lost_context = state_->reset_status != nullptr && state_->reset_status() != 0;
     // Under vertical sync this is mostly past due and returns at once.
     sleep_until(state_->limiter.next_due(std::chrono::time_point_cast<Nanos>(HostClock::now())));
 }
 
+// The place before is remembered for the way back: GLFW does not.
+void Window::State::fill(GLFWmonitor* monitor) {
+    if (glfwGetWindowMonitor(handle) == nullptr) {
+        windowed = rectangle_of(handle);
+    }
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 void Window::toggle_fullscreen() {
-    Rectangle& back = state_->windowed;
+    const Rectangle& back = state_->windowed;
     // Without a monitor the window goes back to where it was.
     if (is_fullscreen()) {
         glfwSetWindowMonitor(
@@ -405,15 +447,51 @@ void Window::toggle_fullscreen() {
         if (monitor == nullptr) {
             return;
         }
-        // Remembered for the way back: GLFW does not.
-        glfwGetWindowPos(state_->handle, &back.x, &back.y);
-        glfwGetWindowSize(state_->handle, &back.width, &back.height);
-        const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
-        glfwSetWindowMonitor(
-            state_->handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+        state_->fill(monitor);
     }
+    follow_monitor();
+}
+
+std::string Window::go_to_next_monitor() {
+    GLFWmonitor* const full = glfwGetWindowMonitor(state_->handle);
+    const auto monitors = all_monitors();
+    const auto here = std::find(
+        monitors.begin(), monitors.end(), full != nullptr ? full : monitor_of(state_->handle));
+    if (monitors.size() < 2 || here == monitors.end()) {
+        return {};
+    }
+    GLFWmonitor* const next = here + 1 != monitors.end() ? *(here + 1) : monitors.front();
+    state_->fill(next);
+    follow_monitor();
+    return name_of(next);
+}
+
+// Rate and vertical sync of the monitor that the window is on now.
+void Window::follow_monitor() {
     glfwSwapInterval(1);  // some drivers forget it with the mode
     state_->limiter = limiter_for(state_->max_fps, refresh_rate_of(state_->handle));
+}
+
+std::optional<WindowPlace> Window::place() const {
+    if (state_->is_lost()) {
+        return std::nullopt;
+    }
+    const Rectangle own = is_fullscreen() ? state_->windowed : rectangle_of(state_->handle);
+    WindowPlace place;
+    place.x = own.x;
+    place.y = own.y;
+    place.width = own.width;
+    place.height = own.height;
+    if (GLFWmonitor* const monitor = monitor_under(own)) {
+        place.monitor = name_of(monitor);
+        glfwGetMonitorPos(monitor, &place.monitor_x, &place.monitor_y);
+    }
+    return place;
+}
+
+void Window::show_pointer(bool is_shown) {
+    state_->is_pointer_wanted = is_shown;
+    state_->show_or_hide_pointer();
 }
 
 bool Window::is_fullscreen() const { return glfwGetWindowMonitor(state_->handle) != nullptr; }

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "base/key.hpp"
 #include "base/time.hpp"
 #include "render/gl/frame_target.hpp"
+#include "render/gl/mouse_button.hpp"
+#include "render/gl/window_place.hpp"
 
 namespace raks::render {
 
@@ -47,9 +51,6 @@ class FrameLimiter {
 /// Sleeps until `due` on CLOCK_MONOTONIC; returns at once when it has passed.
 void sleep_until(HostTime due) noexcept;
 
-/// The buttons that the window reports.
-enum class MouseButton : std::uint8_t { left, right, middle };
-
 /// A button went down or up at (x, y): framebuffer pixels, origin at the top left.
 struct MouseButtonEvent {
     /// Which one changed.
@@ -60,6 +61,8 @@ struct MouseButtonEvent {
     float x = 0.0F;
     /// From the upper edge.
     float y = 0.0F;
+    /// The second press of a double click (DoubleClick); the first one came before as it is.
+    bool is_double = false;
 };
 
 /// The mouse moved by (dx, dy) pixels with `button` held: orbit, pan.
@@ -111,6 +114,9 @@ struct WindowOptions {
     int width = 1280;  ///< of a window that is not full screen, in screen coordinates
     /// As width.
     int height = 720;
+    /// Where it was when it was closed last: opens there, with that size in place of the one above
+    /// (opening_place).
+    std::optional<WindowPlace> place = std::nullopt;
     /// From the start; `toggle_fullscreen` changes it.
     bool is_fullscreen = false;
     bool is_transparent = false;  ///< what is drawn with alpha 0 shows the desktop (compositor)
@@ -120,6 +126,12 @@ struct WindowOptions {
     bool is_visible = true;
     int samples = 0;       ///< anti-aliasing of the window's own framebuffer
     double max_fps = 0.0;  ///< pictures a second; 0: the monitor's rate, or 60 when it tells none
+    /// Whether the caller asks why_lost(), and ends by itself when the display goes away or the
+    /// driver has lost the context. Else Xlib ends the process, and of the driver nobody asks.
+    bool outlives_loss = false;
+    /// Tells in the driver's place whether it has lost the context (glGetGraphicsResetStatus); for
+    /// tests, as no driver loses it when asked to. Null: the driver.
+    unsigned (*reset_status)() = nullptr;
     /// What to do where no window can be opened: the end of create()'s errors.
     std::string otherwise = "use --headless, or `raks render`";
 };
@@ -147,12 +159,16 @@ class Window {
     /// Lets the system deliver, and returns what came since the last call, oldest first. Valid
     /// until the next call.
     [[nodiscard]] std::span<const WindowEvent> poll_events();
-    /// The person or the system asked for the end, or request_close() was called.
+    /// The person or the system asked for the end, request_close() was called, or why_lost().
     [[nodiscard]] bool should_close() const;
     /// Makes `should_close` true.
     void request_close();
     /// Makes `should_close` false: something is to be asked first.
     void stay_open();
+    /// Why nothing can be shown any more, for people: the display is gone, or the driver has lost
+    /// the context; both where WindowOptions::outlives_loss. Empty: it can. From then on there are
+    /// no events, frame() is 0 x 0, and whoever has the window ends.
+    [[nodiscard]] std::string_view why_lost() const;
     /// Where the pointer was when events were polled last.
     [[nodiscard]] PointerPlace pointer() const;
 
@@ -174,6 +190,14 @@ class Window {
     void toggle_fullscreen();
     /// Whether it fills a monitor.
     [[nodiscard]] bool is_fullscreen() const;
+    /// Full screen on the monitor that follows in the system's order the one that the window is on.
+    /// Returns its name; empty: there is no other one, and nothing has changed.
+    [[nodiscard]] std::string go_to_next_monitor();
+    /// Where it is; of a full screen where it was before. For WindowOptions::place. Nothing where
+    /// why_lost().
+    [[nodiscard]] std::optional<WindowPlace> place() const;
+    /// Hides the pointer wherever it is over the window, or shows it again as usual.
+    void show_pointer(bool is_shown);
     /// Takes title and frame away, or gives them back. Returns whether they are there now.
     bool toggle_border();
     /// Keeps the window over all others, or no more. Returns whether it does now.
@@ -185,6 +209,7 @@ class Window {
 
  private:
     struct State;
+    void follow_monitor();
     explicit Window(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

@@ -87,6 +87,25 @@ TEST_F(Keys, a_display_that_is_gone_ends_it_with_a_line_of_ours) {
     EXPECT_EQ(count_of("raks: ", result.err), count_of("\n", result.err)) << result.err;
 }
 
+TEST_F(Keys, a_film_is_whole_where_the_display_goes_away_meanwhile) {
+    start({"play", "--no-sound", "--no-overlay", "--record", path("show.mkv")});
+    ASSERT_TRUE(shows_dancing());
+    display_.reset();
+    const ProcessResult result = raks_->wait();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(count_of("raks: recorded: ", result.err), 1) << result.err;
+    EXPECT_EQ(count_of("raks: the display is gone\n", result.err), 1) << result.err;
+    const std::string said = run_program({"ffprobe",
+                                          "-v",
+                                          "error",
+                                          "-show_entries",
+                                          "stream=codec_name",
+                                          "-of",
+                                          "csv=p=0",
+                                          path("show.mkv")});
+    EXPECT_EQ(said, "h264\nopus\n");
+}
+
 TEST_F(Keys, space_stops_the_picture_and_lets_it_go_on) {
     const std::string still = start_and_pause("--no-overlay");
     EXPECT_TRUE(picture() == still);

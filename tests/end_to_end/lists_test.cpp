@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,6 +108,45 @@ TEST_F(Lists, a_dropped_clip_is_performed_and_a_written_dance_danced) {
     ASSERT_TRUE(write_file(path("tango.toml"), *text));
     drop({path("tango.toml")});
     EXPECT_TRUE(says("raks: dancing tango")) << raks_->output().err;
+    quit();
+}
+
+TEST_F(Lists, a_look_is_kept_as_a_preset_and_taken_again) {
+    play();
+    press({"l", "F4", "w", "a", "l", "t", "z", "Return"});
+    EXPECT_TRUE(says("dancing waltz"));
+    press({"shift+F3", "shift+a", "b", "Return"});
+    EXPECT_TRUE(says("raks: kept as preset Ab"));
+    const auto kept = read_file(path("config/raks/presets/Ab.toml"));
+    ASSERT_TRUE(kept) << kept.error().message;
+    for (const char* const part : {"workshop_dark", "\"waltz\"", "\"solo\"", "\"director\""}) {
+        EXPECT_NE(kept->find(part), std::string::npos) << part << *kept;
+    }
+    press({"l", "d"});
+    EXPECT_TRUE(says("theme studio_light"));
+    press({"F3", "Return"});
+    EXPECT_TRUE(says("raks: preset Ab"));
+    EXPECT_TRUE(says_twice("dancing waltz"));
+    // What has the name is not lost to who types it again.
+    press({"shift+F3", "shift+a", "b", "Return"});
+    EXPECT_TRUE(says("there is a preset Ab already"));
+    press({"Escape"});
+    quit();
+    start({"play", "--no-sound", "--preset", "Ab", path("one.wav")});
+    EXPECT_TRUE(says("one.wav"));
+    quit();
+}
+
+TEST_F(Lists, a_preset_that_cannot_be_read_is_told_and_stays_as_it_is) {
+    std::filesystem::create_directories(path("config/raks/presets/folder.toml"));
+    ASSERT_TRUE(write_file(path("config/raks/presets/bad.toml"), "theme ="));
+    play();
+    press({"F3", "b", "a", "d", "Return"});
+    EXPECT_TRUE(says("bad.toml"));
+    press({"shift+F3", "Down", "Return"});
+    EXPECT_TRUE(says_twice("bad.toml"));
+    EXPECT_EQ(*read_file(path("config/raks/presets/bad.toml")), "theme =");
+    press({"Escape"});
     quit();
 }
 

@@ -32,7 +32,7 @@ class ProgramTest : public ::testing::Test {
                             {"JACK_DEFAULT_SERVER", "raks_none"},
                             {"PULSE_SERVER", "unix:" + (folder_ / "no_pulse").string()},
                             {"LIBGL_ALWAYS_SOFTWARE", "1"}};
-        plan.unset = {"DISPLAY", "WAYLAND_DISPLAY"};
+        plan.unset = {"DISPLAY", "WAYLAND_DISPLAY", "DBUS_SESSION_BUS_ADDRESS"};
         return plan;
     }
     [[nodiscard]] ProcessResult run(std::vector<std::string> arguments) const {

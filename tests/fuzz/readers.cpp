@@ -10,6 +10,9 @@ std::span<const Reader> readers() {
     static const std::vector<Reader> all = {
         {"settings", read_settings, {"config/default.toml"}, 2000},
         {"devices", read_devices, {}, 2000},
+        {"preset", read_preset, {}, 2000},
+        {"window_memory", read_window_memory, {}, 2000},
+        {"kdeglobals", read_kdeglobals, {}, 2000},
         {"dances", read_dances, {"models/trained/dances.toml"}, 2000},
         {"dance_corrections", read_dance_corrections, {}, 2000},
         {"genre_words", read_genre_words, {"config/genres.toml"}, 300},

@@ -33,8 +33,11 @@ struct Reader {
 
 /// What each reader does; definitions in readers_*.cpp. True: the text was good.
 bool read_settings(std::string_view text);
-bool read_devices(std::string_view text);  ///< what `raks calibrate` keeps
-bool read_dances(std::string_view text);   ///< and writes them again
+bool read_devices(std::string_view text);        ///< what `raks calibrate` keeps
+bool read_preset(std::string_view text);         ///< and puts it over settings; and writes it again
+bool read_window_memory(std::string_view text);  ///< likewise
+bool read_kdeglobals(std::string_view text);     ///< of the desktop
+bool read_dances(std::string_view text);         ///< and writes them again
 /// The dances that a person keeps; and writes them again.
 bool read_dance_corrections(std::string_view text);
 bool read_genre_words(std::string_view text);   ///< and what it says of its own words

@@ -5,8 +5,11 @@
 #include "audio/genre/tag_evidence.hpp"
 #include "audio/music/styles/style_book_reader.hpp"
 #include "base/dance_list.hpp"
+#include "engine/setup/desktop_calm.hpp"
 #include "engine/setup/device_offsets.hpp"
+#include "engine/setup/presets.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/setup/window_memory.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/choreography/figure_measures.hpp"
@@ -31,6 +34,37 @@ bool read_devices(std::string_view text) {
     must(!offsets || engine::DeviceOffsets::parse(offsets->to_toml(), "y.toml"));
     return offsets.has_value();
 }
+
+bool read_preset(std::string_view text) {
+    const auto loaded = engine::parse_preset(text, "x.toml");
+    if (!loaded) {
+        must_be_one_line(loaded.error().message);
+        return false;
+    }
+    const auto again = engine::parse_preset(engine::toml_of(loaded->preset), "y.toml");
+    must(again && again->preset == loaded->preset);
+    engine::Settings settings;
+    engine::apply_preset(*loaded, settings);
+    must(engine::validate(settings).empty());
+    return true;
+}
+
+bool read_window_memory(std::string_view text) {
+    const auto loaded = engine::parse_window_memory(text, "x.toml");
+    if (!loaded) {
+        must_be_one_line(loaded.error().message);
+        return false;
+    }
+    const std::string written = engine::toml_of(loaded->memory);
+    const auto again = engine::parse_window_memory(written, "y.toml");
+    must(again && engine::toml_of(again->memory) == written);
+    engine::Settings settings;
+    engine::apply_window_memory(*loaded, settings);
+    must(engine::validate(settings).empty());
+    return true;
+}
+
+bool read_kdeglobals(std::string_view text) { return engine::calm_in_kdeglobals(text).has_value(); }
 
 bool read_dances(std::string_view text) {
     const auto dances = parse_dances(text, "x.toml", {});

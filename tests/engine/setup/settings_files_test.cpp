@@ -50,7 +50,8 @@ std::string what_of(const SettingRow& row) {
         what = words_in_markdown(row);
     }
     if (row.range.high > row.range.low) {
-        what += fmt::format("; {} to {}", row.range.low, row.range.high);
+        what += fmt::format(
+            "; {}{} to {}", row.range.has_zero ? "0, or " : "", row.range.low, row.range.high);
     }
     return what;
 }

@@ -90,11 +90,15 @@ TEST(SettingsTable, takes_numbers_from_one_end_of_the_range_to_the_other) {
         }
         EXPECT_EQ(fault_of(row, with_number(row, row.range.low)), "");
         EXPECT_EQ(fault_of(row, with_number(row, row.range.high)), "");
-        for (const double number : {row.range.low - 1.0, row.range.high + 1.0}) {
+        EXPECT_EQ(fault_of(row, with_number(row, 0.0)).empty(),
+                  row.range.has_zero || (row.range.low <= 0.0 && row.range.high >= 0.0));
+        for (const double number :
+             {row.range.low - (row.range.has_zero ? 1.5 : 1.0), row.range.high + 1.0}) {
             EXPECT_EQ(validate(with_number(row, number)),
-                      std::vector{fmt::format("{} is {}, must be {} to {}",
+                      std::vector{fmt::format("{} is {}, must be {}{} to {}",
                                               full_name(row),
                                               number,
+                                              row.range.has_zero ? "0, or " : "",
                                               row.range.low,
                                               row.range.high)});
         }

@@ -67,8 +67,8 @@ TEST(Settings, errors_name_file_line_key_and_what_is_meant) {
     } cases[] = {
         {"audio = 1\n", "config.toml: line 1: audio must be a section"},
         {"[picture]\nfps = \"fast\"\n", "config.toml: line 2: picture.fps must be a number"},
-        {"[picture]\nfps = 1000\n", "config.toml: picture.fps is 1000, must be 1 to 240"},
-        {"[picture]\nfps = nan\n", "config.toml: picture.fps is nan, must be 1 to 240"},
+        {"[picture]\nfps = 1000\n", "config.toml: picture.fps is 1000, must be 0, or 1 to 240"},
+        {"[picture]\nfps = nan\n", "config.toml: picture.fps is nan, must be 0, or 1 to 240"},
         {"[picture]\nsize = \"huge\"\n",
          "config.toml: picture.size: \"huge\" is not a picture size; write WIDTHxHEIGHT, 16 to "
          "7680 "
@@ -118,6 +118,19 @@ TEST(Settings, unknown_keys_are_said_and_passed_over) {
     ASSERT_TRUE(notes);
     EXPECT_EQ(notes->size(), 6U);
     EXPECT_EQ(notes->back(), "x: 295 more keys are unknown");
+}
+
+TEST(Settings, pictures_a_second_of_0_are_the_monitors_and_of_a_film_30) {
+    Settings settings;
+    for (const char* bad : {"0.5", "-1", "240.5"}) {
+        EXPECT_FALSE(parse_settings(std::string("[picture]\nfps = ") + bad + "\n", "x", settings))
+            << bad;
+    }
+    ASSERT_TRUE(parse_settings("[picture]\nfps = 0\n", "x", settings));
+    EXPECT_EQ(settings.fps, 0.0);
+    EXPECT_EQ(film_fps(settings), 30.0);
+    settings.fps = 60.0;
+    EXPECT_EQ(film_fps(settings), 60.0);
 }
 
 TEST(Settings, an_error_leaves_the_settings_alone) {

@@ -232,6 +232,66 @@ TEST_F(WindowOnXvfb, asked_to_close_by_the_system_it_says_so) {
     EXPECT_TRUE(window_->should_close());
 }
 
+TEST_F(WindowOnXvfb, opens_where_it_was) {
+    const auto here = window_->place();
+    ASSERT_TRUE(here);
+    EXPECT_EQ(here->width, 320);
+    EXPECT_EQ(here->height, 180);
+    EXPECT_FALSE(here->monitor.empty());
+    WindowPlace there = *here;
+    there.x = 200;
+    there.y = 150;
+    there.width = 400;
+    there.height = 300;
+    window_.reset();
+    auto window = Window::create({.place = there});
+    ASSERT_TRUE(window) << window.error().message;
+    window_.emplace(std::move(*window));
+    (void)events_until([&](const auto&) { return window_->place() == there; });
+    EXPECT_EQ(window_->place()->x, 200);
+    EXPECT_EQ(window_->place()->y, 150);
+    EXPECT_EQ(window_->frame().width, 400);
+    window_->toggle_fullscreen();
+    EXPECT_EQ(window_->place(), there) << "over a full screen it is the place to go back to";
+}
+
+TEST_F(WindowOnXvfb, there_is_no_next_monitor_where_there_is_one) {
+    EXPECT_EQ(window_->go_to_next_monitor(), "");
+    EXPECT_FALSE(window_->is_fullscreen());
+}
+
+TEST_F(WindowOnXvfb, two_clicks_at_once_are_a_double_click) {
+    run_program(
+        {"xdotool", "mousemove", "--window", id_, "50", "50", "click", "--repeat", "2", "1"});
+    std::vector<bool> presses;
+    for (const WindowEvent& event : events_until([](const auto& all) { return all.size() >= 4; })) {
+        const auto* const button = std::get_if<MouseButtonEvent>(&event);
+        if (button != nullptr && button->is_down) {
+            presses.push_back(button->is_double);
+        }
+    }
+    EXPECT_EQ(presses, (std::vector{false, true}));
+}
+
+TEST_F(WindowOnXvfb, a_driver_that_was_reset_ends_it) {
+    window_.reset();
+    static unsigned status = 0;
+    auto window = Window::create(
+        {.width = 64, .height = 64, .outlives_loss = true, .reset_status = [] { return status; }});
+    ASSERT_TRUE(window) << window.error().message;
+    window->present();
+    EXPECT_EQ(window->why_lost(), "");
+    EXPECT_FALSE(window->should_close());
+    status = 0x8253;  // GL_GUILTY_CONTEXT_RESET
+    window->present();
+    EXPECT_EQ(window->why_lost(), "the graphics driver was reset and has lost the pictures");
+    EXPECT_TRUE(window->should_close());
+    EXPECT_EQ(window->frame().width, 0);
+    EXPECT_TRUE(window->poll_events().empty());
+    EXPECT_EQ(window->place(), std::nullopt);
+    window->present();
+}
+
 TEST_F(WindowOnXvfb, an_alpha_of_zero_is_kept_for_a_transparent_window) {
     window_.reset();
     auto window = Window::create({.width = 64, .height = 64, .is_transparent = true});
