@@ -41,15 +41,9 @@ void Dancer::State::apply(const DancerCommand& command) noexcept {
     }
 }
 
-// Who is forbidden every dance that it knows would never dance again: the last one stays.
 void Dancer::State::allow(double number, bool is_allowed) noexcept {
-    if (!(number >= 0.0 && number < static_cast<double>(kMostDances))) {
-        return;
-    }
-    DanceSet wished = forbidden;
-    wished.set(static_cast<std::size_t>(number), !is_allowed);
-    if (repertoire->has_other_than(wished)) {
-        forbidden = wished;
+    if (number >= 0.0 && number < static_cast<double>(kMostDances)) {
+        forbidden.set(static_cast<std::size_t>(number), !is_allowed);
     }
 }
 

@@ -30,7 +30,7 @@ struct DancerCommand {
         select_figure,  ///< figure number `value` at the end of this one
         lock_figure,    ///< `value` 1: this figure again and again; 0: as the grammar says
         select_dance,   ///< number `value` of the list; DanceId::none: as the music is
-        forbid_dance,   ///< number `value` is danced no more; the last one stays allowed
+        forbid_dance,   ///< number `value` is danced only where no other is known
         allow_dance,    ///< number `value` may be danced again
         hold,           ///< settle and stand, whatever the music does
         release,        ///< dance again from the next downbeat

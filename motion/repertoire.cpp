@@ -66,15 +66,6 @@ const DanceLibrary* Repertoire::of(DanceId id) const noexcept RAKS_NONBLOCKING {
                                          : nullptr;
 }
 
-bool Repertoire::has_other_than(const DanceSet& forbidden) const noexcept RAKS_NONBLOCKING {
-    for (std::size_t slot = 0; slot < dances_.size(); ++slot) {
-        if (!forbidden[slot] && of(static_cast<DanceId>(slot)) != nullptr) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // In music of a metre that no dance has, the first one is danced; where that is forbidden, any that
 // is allowed.
 DanceId Repertoire::nearest(Bpm tempo,

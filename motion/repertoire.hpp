@@ -60,14 +60,13 @@ class Repertoire {
     /// The dance for music of no dance: the first one, where the tempo, half or twice of it lies in
     /// its range; otherwise the dance of this metre whose likely tempo is nearest, in octaves. A
     /// dance that is danced already, `present`, stays a little longer than it would be chosen. None
-    /// of `forbidden`; where all others have another metre, one of them.
+    /// of `forbidden`; where all others have another metre, one of them; where all are forbidden,
+    /// the first.
     /// Threads: any. Real-time: yes.
     [[nodiscard]] DanceId nearest(Bpm tempo,
                                   int beats_per_bar,
                                   DanceId present,
                                   const DanceSet& forbidden = {}) const noexcept RAKS_NONBLOCKING;
-    /// Whether there is a dance that is not forbidden. Threads: any. Real-time: yes.
-    [[nodiscard]] bool has_other_than(const DanceSet& forbidden) const noexcept RAKS_NONBLOCKING;
 
  private:
     DanceId first_;

@@ -55,7 +55,6 @@ struct PlayArguments {
     bool is_as_live = false;    ///< songs are analyzed as they come, as an input is
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
-    std::vector<std::string> forbidden;       ///< dances that are not danced, of a preset
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -74,7 +73,6 @@ struct LiveArguments {
     WindowWish window;                        ///< how it is opened
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
-    std::vector<std::string> forbidden;       ///< dances that are not danced, of a preset
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);

@@ -141,12 +141,11 @@ Expected<void> DanceChoice::allow(std::string_view name, bool is_allowed) {
     return dance ? allow(*dance, is_allowed) : fail(dance.error());
 }
 
-// The dancer keeps to the same rule.
+// Dances that are still being learnt count, too.
 Expected<void> DanceChoice::allow(DanceId dance, bool is_allowed) {
     motion::DanceSet wished = forbidden_;
     wished.set(index_of(dance), !is_allowed);
-    const motion::Repertoire* const repertoire = look_().repertoire;
-    if (repertoire != nullptr && !repertoire->has_other_than(wished)) {
+    if (wished.count() >= dances_->size()) {
         return fail(fmt::format("{} stays allowed: it is the last one", dances_->name_of(dance)));
     }
     forbidden_ = wished;

@@ -142,7 +142,7 @@ void add_section_options(CLI::App& app, Section& section) {
 // Each add_ function below adds one command with its options.
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
-    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
+    add_preset_option(*app, a->settings, &a->video);
     app->add_option("files",
                     a->files,
                     "music files, folders, playlists (.m3u, .pls, .xspf), - for a pipe; none: "
@@ -171,7 +171,7 @@ void add_open(RaksCommands& table) {
                               "open",
                               "open the window: dance to files, or to what this computer plays",
                               open);
-    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
+    add_preset_option(*app, a->settings, &a->video);
     app->add_option("files", a->files, "music files, folders, playlists; none: listen");
     add_setting_options(*app,
                         a->settings,
@@ -188,7 +188,7 @@ void add_open(RaksCommands& table) {
 
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
-    add_preset_option(*app, a->settings, &a->video, &a->forbidden);
+    add_preset_option(*app, a->settings, &a->video);
     add_setting_options(
         *app, a->settings, {&Settings::device, &Settings::audio_system, &Settings::buffer_ms});
     // The arguments are captured by their pointer: they outlive the parsing.

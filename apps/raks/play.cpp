@@ -14,7 +14,6 @@ ExitCode live(const LiveArguments& arguments) {
     shared.window = arguments.window;
     shared.outputs = arguments.outputs;
     shared.video = arguments.video;
-    shared.forbidden = arguments.forbidden;
     return ShowSession(shared, arguments.duration).live();
 }
 

@@ -10,10 +10,7 @@
 namespace raks::apps {
 namespace {
 
-void use_preset(const std::string& name,
-                engine::Settings& settings,
-                VideoArguments* video,
-                std::vector<std::string>* forbidden) {
+void use_preset(const std::string& name, engine::Settings& settings, VideoArguments* video) {
     if (const std::string unknown = engine::why_unknown_preset(name); !unknown.empty()) {
         throw CLI::ValidationError("--preset", unknown);
     }
@@ -26,9 +23,6 @@ void use_preset(const std::string& name,
         say(note);
     }
     engine::apply_preset(*loaded, settings);
-    if (forbidden != nullptr && loaded->preset.forbidden) {
-        *forbidden = *loaded->preset.forbidden;
-    }
     if (video != nullptr && loaded->preset.outputs) {
         for (const std::string& target : *loaded->preset.outputs) {
             video->wishes.push_back({.target = target});
@@ -38,15 +32,10 @@ void use_preset(const std::string& name,
 
 }  // namespace
 
-void add_preset_option(CLI::App& app,
-                       engine::Settings& settings,
-                       VideoArguments* video,
-                       std::vector<std::string>* forbidden) {
+void add_preset_option(CLI::App& app, engine::Settings& settings, VideoArguments* video) {
     app.add_option_function<std::string>(
            "--preset",
-           [&settings, video, forbidden](const std::string& name) {
-               use_preset(name, settings, video, forbidden);
-           },
+           [&settings, video](const std::string& name) { use_preset(name, settings, video); },
            "look and dances that were saved under a name; options beside it win")
         ->type_name("NAME");
 }

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "apps/raks/commands.hpp"
 #include "engine/setup/settings.hpp"
 
@@ -16,12 +13,8 @@ namespace raks::apps {
 /// Adds `--preset NAME`, which puts the preset over the settings of the files. Added before the
 /// options of settings: values are stored in the order in which options are added, whatever their
 /// order on the command line, so that those of the command line win. `video`: gets the preset's
-/// outputs, and `forbidden` its dances that are not danced; null: the command has none. A name that
-/// no preset has is a wrong command line; of a preset that cannot be read nothing is used, and one
-/// line says so.
-void add_preset_option(CLI::App& app,
-                       engine::Settings& settings,
-                       VideoArguments* video = nullptr,
-                       std::vector<std::string>* forbidden = nullptr);
+/// outputs; null: the command has none. A name that no preset has is a wrong command line; of a
+/// preset that cannot be read nothing is used, and one line says so.
+void add_preset_option(CLI::App& app, engine::Settings& settings, VideoArguments* video = nullptr);
 
 }  // namespace raks::apps

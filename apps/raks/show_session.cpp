@@ -34,7 +34,10 @@ Expected<engine::PlayList> files_to_play(const std::vector<Path>& given) {
 }  // namespace
 
 ShowSession::ShowSession(PlayArguments arguments, std::optional<double> listens_for)
-    : arguments_(std::move(arguments)), listens_for_(listens_for) {}
+    : arguments_(std::move(arguments)),
+      listens_for_(listens_for),
+      // All dances are loaded, as people may allow them in the window.
+      forbidden_(std::exchange(arguments_.settings.forbidden_dances, {})) {}
 
 // Whether there is anything to play, and where, is said before a window opens.
 ExitCode ShowSession::play() {
@@ -167,7 +170,7 @@ Expected<void> ShowSession::set_stage() {
         return fail(loop.error());
     }
     loop_ = std::move(*loop);
-    loop_->dance_choice().forbid_only(arguments_.forbidden);
+    loop_->dance_choice().forbid_only(forbidden_);
     return {};
 }
 
@@ -220,7 +223,7 @@ Expected<bool> ShowSession::set_stage_in_window() {
         return fail(loop.error());
     }
     loop_ = std::move(*loop);
-    loop_->dance_choice().forbid_only(arguments_.forbidden);
+    loop_->dance_choice().forbid_only(forbidden_);
     return true;
 }
 

@@ -59,6 +59,7 @@ class ShowSession {
     std::unique_ptr<PlaySet> files_;             // null: an input is listened to
     std::optional<double> place_;                // in the file at which it goes on
     std::shared_ptr<StageSetup> setup_;
+    std::vector<std::string> forbidden_;  // dances, at the start
     KeptWindow kept_;
     std::unique_ptr<StageLoop> loop_;
     std::string why_own_music_;

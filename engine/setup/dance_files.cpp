@@ -76,22 +76,33 @@ bool is_for(const CatalogueEntry& entry, const DanceForm& form) {
 
 }  // namespace
 
+namespace {
+
+// Whether a dance can be danced in the form that is asked for, and no preset forbids it.
+bool is_wanted(const CatalogueEntry& entry, const Settings& settings) {
+    const auto& forbidden = settings.forbidden_dances;
+    return is_for(entry, form_of(settings)) &&
+           std::find(forbidden.begin(), forbidden.end(), entry.info.name) == forbidden.end();
+}
+
+}  // namespace
+
 std::string dance_to_load(const Settings& settings, const DanceCatalogue& catalogue) {
     if (settings.dance != kAuto) {
         return settings.dance;
     }
-    const DanceForm form = form_of(settings);
     const auto& all = catalogue.entries();
     const auto meant = std::find_if(all.begin(), all.end(), [&](const CatalogueEntry& entry) {
         return settings.fallback_dance == kAuto ? entry.info.is_fallback
                                                 : entry.info.name == settings.fallback_dance;
     });
     const CatalogueEntry* const fallback = meant != all.end() ? &*meant : nullptr;
-    if (fallback != nullptr && is_for(*fallback, form)) {
+    if (fallback != nullptr && is_wanted(*fallback, settings)) {
         return fallback->info.name;
     }
-    const auto first = std::find_if(
-        all.begin(), all.end(), [&](const CatalogueEntry& entry) { return is_for(entry, form); });
+    const auto first = std::find_if(all.begin(), all.end(), [&](const CatalogueEntry& entry) {
+        return is_wanted(entry, settings);
+    });
     return first != all.end()    ? first->info.name
            : fallback != nullptr ? fallback->info.name
                                  : all.front().info.name;
@@ -103,10 +114,9 @@ std::vector<std::string> other_dances_to_load(const Settings& settings,
     if (settings.dance != kAuto) {
         return others;
     }
-    const DanceForm form = form_of(settings);
     const std::string first = dance_to_load(settings, catalogue);
     for (const CatalogueEntry& entry : catalogue.entries()) {
-        if (entry.info.name != first && is_for(entry, form)) {
+        if (entry.info.name != first && is_wanted(entry, settings)) {
             others.push_back(entry.info.name);
         }
     }

@@ -29,12 +29,12 @@ namespace raks::engine {
                                           const DanceCatalogue& catalogue);
 
 /// The dance that a show begins with: `settings.dance`; where that is "auto", the fallback; where
-/// that is no dance, or none in the form that is asked for, the first that is one; where there is
-/// none, the fallback or the first, and loading it says why not.
+/// that is no dance, or none in the form that is asked for, or is forbidden, the first that is one;
+/// where there is none, the fallback or the first, and loading it says why not.
 [[nodiscard]] std::string dance_to_load(const Settings& settings, const DanceCatalogue& catalogue);
 
 /// The dances that are solved while the show runs: with "auto" all but the first that can be danced
-/// in the form that is asked for, by couples and by the generator; else none.
+/// in the form that is asked for, by couples and by the generator, and is not forbidden; else none.
 [[nodiscard]] std::vector<std::string> other_dances_to_load(const Settings& settings,
                                                             const DanceCatalogue& catalogue);
 

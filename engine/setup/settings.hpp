@@ -63,7 +63,7 @@ struct Settings {
     bool face_gaze = true;            ///< eyes look at the camera, or at the partner
     bool overlay = true;              ///< tempo, bar, dance and levels over the picture
     // Not in the table: no key of config.toml, and no option.
-    std::vector<std::string> forbidden_dances;  ///< that a preset forbids
+    std::vector<std::string> forbidden_dances;  ///< that a preset forbids: they are not loaded
     SettingOrigins origins;                     ///< where each of the table has its value from
 };
 
