@@ -262,7 +262,9 @@ void WindowLoop::handle(const render::MouseButtonEvent& button,
         return;
     }
     const auto control = controls_.at(button.x, button.y);
-    if (is_click && button.is_double && !control) {
+    // Who turns the camera twice in a row does not click.
+    const bool was_dragged = is_click && std::exchange(has_dragged_, false);
+    if (is_click && button.is_double && !was_dragged && !control) {
         window_.toggle_fullscreen();
     }
     if (!is_click || !control) {
@@ -291,6 +293,7 @@ void WindowLoop::click_panel(const render::OverlaySpot& spot,
 }
 
 void WindowLoop::handle(const render::MouseDragEvent& drag, WindowContent& content) {
+    has_dragged_ = true;
     pointer_x_ += drag.dx;
     if (is_position_held_) {
         content.use(render::OverlayControl::position, controls_.share_at(pointer_x_));

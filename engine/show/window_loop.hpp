@@ -219,6 +219,7 @@ class WindowLoop {
     render::OverlayControls controls_;  // of the last picture
     bool is_position_held_ = false;     // the bar is being dragged
     bool is_click_taken_ = false;       // what is dragged is not the camera
+    bool has_dragged_ = false;          // since the last press
     float pointer_x_ = 0.0F;            // while a button is held, in pixels
     bool wants_screenshot_ = false;
     bool wants_to_quit_ = false;

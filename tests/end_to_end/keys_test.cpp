@@ -252,10 +252,15 @@ TEST_F(Keys, o_and_tab_show_the_overlay_and_hide_it) {
     }
 }
 
-TEST_F(Keys, a_question_mark_shows_the_keys_over_the_overlay) {
+TEST_F(Keys, a_question_mark_shows_the_keys_over_the_overlay_page_by_page) {
     const std::string overlay = start_and_pause("--overlay");
     press({"question"});
     EXPECT_TRUE(shows([&](const std::string& now) { return difference(now, overlay) > 3.0; }));
+    const std::string first = still_picture();
+    press({"question"});
+    EXPECT_TRUE(shows([&](const std::string& now) {
+        return difference(now, overlay) > 3.0 && difference(now, first) > 1.0;
+    })) << "so small a window has room for half of them";
     press({"question"});
     EXPECT_TRUE(shows([&](const std::string& now) { return lower(now) == lower(overlay); }));
 }
@@ -287,6 +292,25 @@ TEST_F(Keys, f_fills_the_screen_and_gives_it_back) {
         EXPECT_TRUE(shows([](const std::string& now) { return now.size() == kScreen; })) << key;
         press({key});
         EXPECT_TRUE(shows([](const std::string& now) { return now.size() == kWindow; })) << key;
+    }
+    for (const std::size_t size : {kScreen, kWindow}) {
+        run_program({"xdotool",
+                     "search",
+                     "--name",
+                     "Raks",
+                     "mousemove",
+                     "--window",
+                     "%1",
+                     "320",
+                     "100",
+                     "click",
+                     "--repeat",
+                     "2",
+                     "--delay",
+                     "60",
+                     "1"});
+        EXPECT_TRUE(shows([&](const std::string& now) { return now.size() == size; }))
+            << "a double click";
     }
 }
 
