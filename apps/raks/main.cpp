@@ -3,6 +3,7 @@
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/raks_command_table.hpp"
+#include "apps/raks/version.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
@@ -11,9 +12,6 @@
 
 namespace raks::apps {
 namespace {
-
-// As --version prints it.
-constexpr const char* kVersion = "0.1.0";
 
 // Printed when no command is given.
 constexpr const char* kExamples =
@@ -62,7 +60,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     const auto settings = engine::load_settings();
     RaksCommands table(settings.value_or(engine::LoadedSettings{}).settings);
     table.app().require_subcommand(0, 1);
-    table.app().set_version_flag("-V,--version", std::string("raks ") + kVersion);
+    table.app().set_version_flag("-V,--version", version_text, "say what this program is");
     add_dancing_commands(table);
     add_measuring_commands(table);
     add_training_commands(table);

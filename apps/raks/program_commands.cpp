@@ -37,8 +37,14 @@ ExitCode become(const char* name,
     argv.push_back(nullptr);
     let_libraries_speak();
     execv(program.c_str(), argv.data());
-    return fail({program +
-                 ": is not built; scripts/build.sh learn, in the source tree of Raks, builds it"});
+    // As installed there is PREFIX/share/raks beside PREFIX/bin, and a package of the program's
+    // name.
+    const bool is_installed =
+        std::filesystem::exists(self.parent_path().parent_path() / "share/raks", problem);
+    return fail(program + (is_installed
+                               ? ": is not here; install the package " + std::string(name)
+                               : ": is not built; scripts/build.sh learn, in the source tree of "
+                                 "Raks, builds it"));
 }
 
 void add_commands_of(RaksCommands& table,
