@@ -18,8 +18,27 @@ struct OtherCommand {
     const char* help;
 };
 
-// Replaces this process by a program that lies beside it; returns only when that fails. A replaced
-// process keeps terminal, signals and exit code.
+void add_commands_of(RaksCommands& table,
+                     CLI::App& parent,
+                     const char* program,
+                     std::span<const OtherCommand> commands) {
+    parent.require_subcommand(1);
+    for (const OtherCommand& other : commands) {
+        CLI::App* command = parent.add_subcommand(other.name, other.help);
+        // All words after the command are passed on unparsed, --help too.
+        command->prefix_command();
+        command->set_help_flag();
+        command->callback([&table, command, program] {
+            table.choose([program, name = command->get_name(), arguments = command->remaining()] {
+                return become(program, name, arguments);
+            });
+        });
+    }
+}
+
+}  // namespace
+
+// A replaced process keeps terminal, signals and exit code.
 ExitCode become(const char* name,
                 const std::string& command,
                 const std::vector<std::string>& arguments) {
@@ -46,26 +65,6 @@ ExitCode become(const char* name,
                                : ": is not built; scripts/build.sh learn, in the source tree of "
                                  "Raks, builds it"));
 }
-
-void add_commands_of(RaksCommands& table,
-                     CLI::App& parent,
-                     const char* program,
-                     std::span<const OtherCommand> commands) {
-    parent.require_subcommand(1);
-    for (const OtherCommand& other : commands) {
-        CLI::App* command = parent.add_subcommand(other.name, other.help);
-        // All words after the command are passed on unparsed, --help too.
-        command->prefix_command();
-        command->set_help_flag();
-        command->callback([&table, command, program] {
-            table.choose([program, name = command->get_name(), arguments = command->remaining()] {
-                return become(program, name, arguments);
-            });
-        });
-    }
-}
-
-}  // namespace
 
 void add_training_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {{"figure", "learn a dance figure from motion"},

@@ -46,9 +46,11 @@ holds raks bin/raks libexec/raks/raks-{decode,import,unpack} lib/raks/raks-{film
     share/raks/models/trained/dances.toml share/raks/config/default.toml \
     share/applications/org.raks.Raks.desktop share/metainfo/org.raks.Raks.metainfo.xml \
     share/mime/packages/org.raks.Raks.xml share/icons/hicolor/scalable/apps/org.raks.Raks.svg \
+    share/man/man1/raks{,-play,-live,-xbody}.1.gz share/bash-completion/completions/raks \
+    share/zsh/vendor-completions/_raks share/fish/vendor_completions.d/raks.fish \
     share/icons/hicolor/{48x48,64x64,128x128,256x256,512x512}/apps/org.raks.Raks.png
-holds raks-train bin/raks-train libexec/raks/raks-soundfont
-holds raks-capture bin/raks-capture
+holds raks-train bin/raks-train share/man/man1/raks-train.1.gz libexec/raks/raks-soundfont
+holds raks-capture bin/raks-capture share/man/man1/raks-capture.1.gz
 for name in raks raks-train raks-capture; do
     grep -q 'GNU General$' "$name/usr/share/doc/$name/copyright" || fail "$name: the copyright does not name the GPL"
 done
@@ -92,7 +94,7 @@ checked() {
     [ -z "$said" ] || fail "$tool: $said"
 }
 checked desktop-file-validate desktop-file-validate raks/usr/share/applications/org.raks.Raks.desktop
-checked lintian lintian --allow-root --suppress-tags no-manual-page --fail-on warning packages/*.deb
+checked lintian lintian --allow-root --fail-on warning packages/*.deb
 if command -v appstreamcli >/dev/null; then
     appstreamcli validate --no-net raks/usr/share/metainfo/*.xml >"$work/appstream" ||
         fail "appstreamcli: $(cat "$work/appstream")"
