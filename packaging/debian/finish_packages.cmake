@@ -75,6 +75,12 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     string(JOIN ", " CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS ${needed_${upper}} ${needed})
 endforeach()
 
-if(CPACK_RAKS_TIME AND NOT DEFINED ENV{SOURCE_DATE_EPOCH})
-    set(ENV{SOURCE_DATE_EPOCH} ${CPACK_RAKS_TIME})
+# All times in the packages are that of the commit, so that the same source gives the same bytes.
+if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
+    execute_process(
+        COMMAND git -C ${CPACK_RAKS_DEBIAN} log -1 --format=%ct
+        OUTPUT_VARIABLE time OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(time)
+        set(ENV{SOURCE_DATE_EPOCH} ${time})
+    endif()
 endif()

@@ -32,6 +32,11 @@ for name in raks raks-train raks-capture; do
     [ -e "packages/${name}_${version}_amd64.deb" ] || fail "there is no ${name}_${version}_amd64.deb"
     dpkg-deb -x "packages/${name}_${version}_amd64.deb" "$name"
 done
+# The same programs give the same bytes, at another time and in another folder.
+(cd "$build" && cpack -G DEB -B "$work/again" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip \
+    -D CPACK_COMPONENTS_ALL=train) >"$work/log" 2>&1 || fail "cpack: $(cat "$work/log")"
+cmp {packages,again}/"raks-train_${version}_amd64.deb" || fail "the same package has other bytes"
+
 field() { dpkg-deb -f "packages/$1_${version}_amd64.deb" "$2"; }
 
 # holds PACKAGE FILE...: the files lie in it.
@@ -100,6 +105,12 @@ if command -v appstreamcli >/dev/null; then
         fail "appstreamcli: $(cat "$work/appstream")"
 else
     echo "skipped: appstreamcli is not here"
+fi
+if command -v flatpak-builder >/dev/null; then
+    flatpak-builder --show-manifest "$source/packaging/flatpak/org.raks.Raks.yml" >"$work/log" 2>&1 ||
+        fail "flatpak-builder: $(cat "$work/log")"
+else
+    echo "skipped: flatpak-builder is not here"
 fi
 
 # The types of files that its entry opens: .vrm is no VRML, which shared-mime-info takes it for.
