@@ -1,6 +1,6 @@
-# Writes the header OUTPUT, which says what the program was built from: version, commit, compiler, kind
-# of build. Run as a script, anew after each commit:
-#   cmake -DOUTPUT=FILE -DSOURCE=FOLDER -DVERSION=0.1.0 -DCOMPILER=... -DBUILD=Release -P RaksCommit.cmake
+# Writes the source OUTPUT from INPUT, which says what the program was built from: version, commit,
+# compiler, kind of build. Run as a script, anew after each commit:
+#   cmake -DINPUT=FILE.in -DOUTPUT=FILE -DSOURCE=FOLDER -DVERSION=0.1.0 -DCOMPILER=... -DBUILD=Release -P RaksCommit.cmake
 # A source tree without git names its commit by RAKS_COMMIT in the environment, or not at all.
 set(commit "$ENV{RAKS_COMMIT}")
 if(NOT commit)
@@ -11,14 +11,4 @@ if(NOT commit)
         set(commit "unknown")
     endif()
 endif()
-file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[
-#pragma once
-
-namespace raks {
-
-inline constexpr const char* kVersion = "@VERSION@";
-inline constexpr const char* kCommit = "@commit@";
-inline constexpr const char* kCompiler = "@COMPILER@, @BUILD@";
-
-}  // namespace raks
-]])
+configure_file("${INPUT}" "${OUTPUT}" @ONLY)

@@ -52,6 +52,11 @@ as_user() {
     chroot --userspec=1000:1000 "$root" env -i PATH=/usr/bin:/bin ${language:+LC_ALL=$language} \
         sh -c 'cd /tmp/user && exec "$@"' sh "$@" </dev/null
 }
+# Without what apt keeps for itself.
+size() {
+    inside apt-get clean
+    du -sm --one-file-system "$root" | cut -f 1
+}
 installed() { chroot "$root" dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' | grep -c '^ii'; }
 
 inside apt-get -y install locales
@@ -69,10 +74,9 @@ touch "$root/packages/old/usr/share/raks/of_the_old_version"
 dpkg-deb --root-owner-group -Znone -b "$root/packages/old" "$root/packages/old.deb" >>build/package.log
 
 before=$(installed)
-megabytes=$(du -sm --one-file-system "$root" | cut -f 1)
+megabytes=$(size)
 inside apt-get -y install /packages/old.deb
-inside apt-get clean
-say "raks brings along $(($(installed) - before)) packages, $(($(du -sm --one-file-system "$root" | cut -f 1) - megabytes)) MB"
+say "raks brings along $(($(installed) - before)) packages, $(($(size) - megabytes)) MB"
 inside apt-get -y install "/packages/raks_${version}_amd64.deb"
 inside apt-get -y install --reinstall "/packages/raks_${version}_amd64.deb"
 [ ! -e "$root/usr/share/raks/of_the_old_version" ] || give_up "a file of the older version is still there"
@@ -101,12 +105,11 @@ language=C said=$(as_user raks train figure 2>&1) || code=$?
 if [ "$mode" = --try-all ]; then
     for package in raks-train raks-capture; do
         before=$(installed)
-        megabytes=$(du -sm --one-file-system "$root" | cut -f 1)
+        megabytes=$(size)
         inside apt-get -y install "/packages/${package}_${version}_amd64.deb"
-        inside apt-get clean
         said=$(as_user raks "${package#raks-}" --help) || give_up "$package: $said"
         said=$(as_user "$package" --help) || give_up "$package: $said"
-        say "$package brings along $(($(installed) - before)) packages, $(($(du -sm --one-file-system "$root" | cut -f 1) - megabytes)) MB"
+        say "$package brings along $(($(installed) - before)) packages, $(($(size) - megabytes)) MB"
     done
     inside apt-get -y remove raks-train raks-capture
 fi

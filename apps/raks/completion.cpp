@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks/completion_scripts.hpp"
 #include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/completion.hpp"
 #include "apps/terminal/option_checks.hpp"
@@ -19,8 +20,6 @@
 #include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
-
-#include "raks_completion_scripts.hpp"
 
 namespace raks::apps {
 namespace {
@@ -98,7 +97,7 @@ void add_known(const CLI::Option& option, Candidates& candidates) {
 }
 
 ExitCode print_script(const CompletionArguments& arguments) {
-    for (const auto& [shell, script] : kCompletionScripts) {
+    for (const auto& [shell, script] : completion_scripts()) {
         if (shell == arguments.shell) {
             print_json(script);
         }

@@ -3,11 +3,10 @@
 #include <optional>
 #include <string_view>
 
+#include "apps/raks/build_facts.hpp"
 #include "base/program_parts.hpp"
 
 #include <fmt/format.h>
-
-#include "raks_build.hpp"
 
 namespace raks::apps {
 namespace {
@@ -36,6 +35,7 @@ std::string licence_with(const std::optional<std::string>& of_ffmpeg) {
 }  // namespace
 
 std::string version_text() {
+    const BuildFacts facts = build_facts();
     const auto pipewire =
         said_by("raks-pipewire.so", "RAKS_PIPEWIRE_MODULE", "pw_get_library_version");
     return fmt::format(
@@ -45,9 +45,9 @@ std::string version_text() {
         "FFmpeg    {}\n"
         "PipeWire  {}\n"
         "licence   {}",
-        kVersion,
-        kCommit,
-        kCompiler,
+        facts.version,
+        facts.commit,
+        facts.compiler,
         said_by_films("av_version_info").value_or("none: no films, but folders of pictures"),
         pipewire.value_or("none: no --video-out pipewire"),
         licence_with(said_by_films("avcodec_license")));

@@ -23,6 +23,7 @@ std::string kept_command(int argc, char** argv) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): before run_program() nothing large is made
 int main(int argc, char** argv) {
     CommandTable table("learn dance figures, beats and genres", "raks train");
     return run_program([&table, argc, argv]() -> ParsedCommand {

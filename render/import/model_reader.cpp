@@ -77,6 +77,7 @@ const Format* format_of(const std::filesystem::path& path) {
 
 std::vector<std::string_view> model_endings() {
     std::vector<std::string_view> endings;
+    endings.reserve(kFormats.size());
     for (const Format& format : kFormats) {
         endings.push_back(format.ending);
     }

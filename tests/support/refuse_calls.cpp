@@ -24,18 +24,20 @@ bool refuse(scmp_filter_ctx filter, bool is_prctl_refused) {
         is_refused && seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) == 0;
     for (const int each : {CLONE_NEWUSER, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWNET}) {
         const auto flag = static_cast<scmp_datum_t>(each);
-        is_refused = is_refused && seccomp_rule_add(filter,
-                                                    SCMP_ACT_ERRNO(EPERM),
-                                                    SCMP_SYS(clone),
-                                                    1,
-                                                    SCMP_A0(SCMP_CMP_MASKED_EQ, flag, flag)) == 0;
+        is_refused =
+            is_refused && seccomp_rule_add(filter,
+                                           SCMP_ACT_ERRNO(EPERM),
+                                           SCMP_SYS(clone),
+                                           1,
+                                           scmp_arg_cmp{0, SCMP_CMP_MASKED_EQ, flag, flag}) == 0;
     }
     if (is_prctl_refused) {
-        is_refused = is_refused && seccomp_rule_add(filter,
-                                                    SCMP_ACT_ERRNO(EPERM),
-                                                    SCMP_SYS(prctl),
-                                                    1,
-                                                    SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP)) == 0;
+        is_refused =
+            is_refused && seccomp_rule_add(filter,
+                                           SCMP_ACT_ERRNO(EPERM),
+                                           SCMP_SYS(prctl),
+                                           1,
+                                           scmp_arg_cmp{0, SCMP_CMP_EQ, PR_SET_SECCOMP, 0}) == 0;
     }
     return is_refused && seccomp_load(filter) == 0;
 }

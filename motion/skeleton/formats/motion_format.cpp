@@ -136,6 +136,7 @@ std::optional<MotionFormat> motion_format(std::string_view start,
 
 std::vector<std::string_view> motion_endings() {
     std::vector<std::string_view> endings;
+    endings.reserve(kEndings.size());
     for (const auto& [ending, format] : kEndings) {
         endings.push_back(ending);
     }
