@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-targets=(raks)
+targets=(raks manual-raks)
 lists=(build run)
 chosen=()
 case "${1:-}" in
@@ -14,7 +14,7 @@ case "${1:-}" in
         [ -e build/release/CMakeCache.txt ] ||
             chosen=(-DRAKS_TESTS=OFF -DRAKS_TRAIN=OFF -DRAKS_CAPTURE=OFF) ;;
     learn)
-        targets+=(raks-train raks-capture)
+        targets+=(raks-train manual-train raks-capture manual-capture)
         lists+=(learn)
         chosen=(-DRAKS_TRAIN=ON -DRAKS_CAPTURE=ON)
         [ -e build/release/CMakeCache.txt ] || chosen+=(-DRAKS_TESTS=OFF) ;;

@@ -25,9 +25,10 @@ declare -A lists=(
     [stream]="libpipewire-0.3-dev"
     # What the tests need that open no window and no sound device.
     [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
-    # Sound servers, a display and checkers of code: all that CI runs.
+    # Sound servers, a display, checkers of code and of packages: all that CI runs.
     [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils picom
         gstreamer1.0-tools gstreamer1.0-plugins-base
+        dpkg-dev lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin man-db zsh fish
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
     # scripts/fuzz.sh and scripts/rtsan.sh
     [fuzz]="clang-14 libclang-rt-14-dev"

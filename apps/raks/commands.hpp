@@ -349,6 +349,11 @@ struct BenchArguments {
 /// Measures this machine and prints the results.
 [[nodiscard]] ExitCode bench(const BenchArguments& arguments);
 
+/// Arguments of `raks completion`.
+struct CompletionArguments {
+    std::string shell;  ///< bash, zsh or fish
+};
+
 /// Arguments of `raks config`.
 struct ConfigArguments {
     std::string action = "show";  ///< show, path or init

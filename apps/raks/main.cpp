@@ -1,8 +1,12 @@
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/raks_command_table.hpp"
+#include "apps/raks/version.hpp"
+#include "apps/terminal/completion.hpp"
+#include "apps/terminal/manual_page.hpp"
 #include "apps/terminal/option_checks.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
@@ -11,9 +15,6 @@
 
 namespace raks::apps {
 namespace {
-
-// As --version prints it.
-constexpr const char* kVersion = "0.1.0";
 
 // Printed when no command is given.
 constexpr const char* kExamples =
@@ -71,6 +72,18 @@ void RaksCommands::note_options(const CLI::App& app, engine::Settings& settings)
 
 namespace {
 
+// What is asked for by programs, not by people: the manual, when Raks is built; what may stand next
+// on a command line, by shells.
+std::optional<ExitCode> asked_of_tables(RaksCommands& table, int argc, char** argv) {
+    if (const auto wish = manual_wish(argc, argv)) {
+        return exit_code_of(write_manual(table.app(), wish->folder, wish->tree));
+    }
+    if (const auto words = words_to_complete(argc, argv)) {
+        return print_candidates(table, *words);
+    }
+    return std::nullopt;
+}
+
 /// Parses the command line over the settings files. A wrong command line or setting is one line on
 /// stderr and kExitUsage.
 ParsedCommand parse_arguments(int argc, char** argv) {
@@ -79,12 +92,16 @@ ParsedCommand parse_arguments(int argc, char** argv) {
     const auto settings = engine::load_settings();
     RaksCommands table(settings.value_or(engine::LoadedSettings{}).settings);
     table.app().require_subcommand(0, 1);
-    table.app().set_version_flag("-V,--version", std::string("raks ") + kVersion);
+    table.app().set_version_flag("-V,--version", version_text, "say what this program is");
     add_dancing_commands(table);
     add_measuring_commands(table);
     add_training_commands(table);
     add_capture_commands(table);
     add_config(table);
+    add_completion_command(table);
+    if (const auto asked = asked_of_tables(table, argc, argv)) {
+        return {[asked] { return *asked; }, kExitDone};
+    }
     // Help, version and wrong usage end here.
     if (const auto ended = read_usage(table.app(), argc, argv)) {
         return {nullptr, *ended};
@@ -115,6 +132,7 @@ ParsedCommand parse_arguments(int argc, char** argv) {
 
 }  // namespace raks::apps
 
+// NOLINTNEXTLINE(bugprone-exception-escape): std::function takes these two words without allocating
 int main(int argc, char** argv) {
     // Signals are caught only when a command runs: parsing ends as usual.
     const auto parse = [argc, argv] {

@@ -18,29 +18,6 @@ struct OtherCommand {
     const char* help;
 };
 
-// Replaces this process by a program that lies beside it; returns only when that fails. A replaced
-// process keeps terminal, signals and exit code.
-ExitCode become(const char* name,
-                const std::string& command,
-                const std::vector<std::string>& arguments) {
-    std::error_code problem;
-    // Found beside the running file, not by PATH: both must be of the same build.
-    const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
-    std::string program = (self.parent_path() / name).string();
-    std::vector<std::string> words = {command};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    // argv must be writable and end in a null pointer.
-    std::vector<char*> argv = {program.data()};
-    for (std::string& word : words) {
-        argv.push_back(word.data());
-    }
-    argv.push_back(nullptr);
-    let_libraries_speak();
-    execv(program.c_str(), argv.data());
-    return fail({program +
-                 ": is not built; scripts/build.sh learn, in the source tree of Raks, builds it"});
-}
-
 void add_commands_of(RaksCommands& table,
                      CLI::App& parent,
                      const char* program,
@@ -60,6 +37,34 @@ void add_commands_of(RaksCommands& table,
 }
 
 }  // namespace
+
+// A replaced process keeps terminal, signals and exit code.
+ExitCode become(const char* name,
+                const std::string& command,
+                const std::vector<std::string>& arguments) {
+    std::error_code problem;
+    // Found beside the running file, not by PATH: both must be of the same build.
+    const Path self = std::filesystem::read_symlink("/proc/self/exe", problem);
+    std::string program = (self.parent_path() / name).string();
+    std::vector<std::string> words = {command};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    // argv must be writable and end in a null pointer.
+    std::vector<char*> argv = {program.data()};
+    for (std::string& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    let_libraries_speak();
+    execv(program.c_str(), argv.data());
+    // As installed there is PREFIX/share/raks beside PREFIX/bin, and a package of the program's
+    // name.
+    const bool is_installed =
+        std::filesystem::exists(self.parent_path().parent_path() / "share/raks", problem);
+    return fail(program + (is_installed
+                               ? ": is not here; install the package " + std::string(name)
+                               : ": is not built; scripts/build.sh learn, in the source tree of "
+                                 "Raks, builds it"));
+}
 
 void add_training_commands(RaksCommands& table) {
     constexpr OtherCommand kCommands[] = {{"figure", "learn a dance figure from motion"},

@@ -2,7 +2,9 @@
 
 #include <initializer_list>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/dance_setup.hpp"
@@ -91,6 +93,16 @@ void add_measuring_commands(RaksCommands& table);
 void add_training_commands(RaksCommands& table);
 /// Adds capture, which starts another program.
 void add_capture_commands(RaksCommands& table);
+
+/// Adds completion.
+void add_completion_command(RaksCommands& table);
+/// Prints what may stand next on a command line (apps/terminal/completion.hpp).
+[[nodiscard]] ExitCode print_candidates(RaksCommands& table, const std::vector<std::string>& words);
+
+/// Replaces this process by a program of ours that lies beside it; returns only when that fails.
+[[nodiscard]] ExitCode become(const char* name,
+                              const std::string& command,
+                              const std::vector<std::string>& arguments);
 
 /// Adds the options of these settings, in this order.
 void add_setting_options(CLI::App& app,

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/raks_capture/capture_command_table.hpp"
+#include "apps/terminal/asked_of_table.hpp"
 #include "apps/terminal/program.hpp"
 
 int main(int argc, char** argv) {
@@ -11,6 +12,9 @@ int main(int argc, char** argv) {
     return run_program([&table, argc, argv]() -> ParsedCommand {
         table = std::make_unique<CommandTable>("get a dance from several films", "raks capture");
         add_commands(*table);
+        if (const auto code = asked_of_table(table->app(), argc, argv)) {
+            return {nullptr, *code};
+        }
         if (const auto ended = read_usage(table->app(), argc, argv)) {
             return {nullptr, *ended};
         }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/raks_train/train_command_table.hpp"
+#include "apps/terminal/asked_of_table.hpp"
 #include "apps/terminal/program.hpp"
 
 namespace {
@@ -22,6 +23,7 @@ std::string kept_command(int argc, char** argv) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): before run_program() nothing large is made
 int main(int argc, char** argv) {
     CommandTable table("learn dance figures, beats and genres", "raks train");
     return run_program([&table, argc, argv]() -> ParsedCommand {
@@ -32,6 +34,9 @@ int main(int argc, char** argv) {
         add_train_report(table);
         add_train_beats(table, command);
         add_train_genre(table, command);
+        if (const auto code = asked_of_table(table.app(), argc, argv)) {
+            return {nullptr, *code};
+        }
         if (const auto ended = read_usage(table.app(), argc, argv)) {
             return {nullptr, *ended};
         }

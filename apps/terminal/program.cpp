@@ -174,7 +174,8 @@ int run_program(const std::function<ParsedCommand()>& parse) {
         g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
         if (is_any_child_uncaged()) {
             say_detail(
-                "this kernel has no filter of system calls (seccomp): files are read without one");
+                "filters of system calls (seccomp) are refused here: what others made is read by "
+                "children with limits alone");
         }
         return code ? end_with(*code) : report(code.error().message);
     } catch (const std::bad_alloc&) {

@@ -272,17 +272,24 @@ Expected<PlayList> read_play_list(const std::vector<fs::path>& names) {
     return list;
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 45> kMusicEndings = {
+    ".3gp",  ".aac", ".ac3", ".aif",  ".aifc", ".aiff", ".amr",  ".ape",  ".au",
+    ".avi",  ".caf", ".dsf", ".dts",  ".flac", ".flv",  ".m4a",  ".m4b",  ".m4v",
+    ".mka",  ".mkv", ".mov", ".mp2",  ".mp3",  ".mp4",  ".mpc",  ".mpeg", ".mpg",
+    ".mpga", ".oga", ".ogg", ".ogv",  ".ogx",  ".opus", ".rf64", ".snd",  ".spx",
+    ".tta",  ".w64", ".wav", ".wave", ".weba", ".webm", ".wma",  ".wmv",  ".wv"};
+
+}  // namespace
+
+std::span<const std::string_view> music_endings() noexcept { return kMusicEndings; }
+
 bool looks_like_music(const fs::path& path) {
-    constexpr std::array<std::string_view, 45> kEndings = {
-        ".3gp",  ".aac", ".ac3", ".aif",  ".aifc", ".aiff", ".amr",  ".ape",  ".au",
-        ".avi",  ".caf", ".dsf", ".dts",  ".flac", ".flv",  ".m4a",  ".m4b",  ".m4v",
-        ".mka",  ".mkv", ".mov", ".mp2",  ".mp3",  ".mp4",  ".mpc",  ".mpeg", ".mpg",
-        ".mpga", ".oga", ".ogg", ".ogv",  ".ogx",  ".opus", ".rf64", ".snd",  ".spx",
-        ".tta",  ".w64", ".wav", ".wave", ".weba", ".webm", ".wma",  ".wmv",  ".wv"};
     // Compared in lower case: "SONG.MP3" is music, too.
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), small);
-    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+    return std::find(kMusicEndings.begin(), kMusicEndings.end(), ending) != kMusicEndings.end();
 }
 
 bool comes_before(std::string_view a, std::string_view b) noexcept {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,8 @@ inline constexpr std::size_t kMostFiles = 1'000'000;
 /// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<PlayList> read_play_list(const std::vector<std::filesystem::path>& names);
 
+/// The endings of music and of films, in small letters: ".mp3".
+[[nodiscard]] std::span<const std::string_view> music_endings() noexcept;
 /// Whether a file's ending is one of music or of films, in any case.
 [[nodiscard]] bool looks_like_music(const std::filesystem::path& path);
 

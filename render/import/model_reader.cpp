@@ -75,6 +75,15 @@ const Format* format_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::vector<std::string_view> model_endings() {
+    std::vector<std::string_view> endings;
+    endings.reserve(kFormats.size());
+    for (const Format& format : kFormats) {
+        endings.push_back(format.ending);
+    }
+    return endings;
+}
+
 bool is_model_name(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
 Expected<Model> read_model(std::span<const std::byte> bytes,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "render/import/side_files.hpp"
@@ -23,6 +24,8 @@ namespace raks::render {
 /// front; more than 256 MB. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<Model> load_model(const std::filesystem::path& path);
 
+/// The endings that are read: ".glb".
+[[nodiscard]] std::vector<std::string_view> model_endings();
 /// Whether the ending of the name is one of those that are read.
 [[nodiscard]] bool is_model_name(const std::filesystem::path& path);
 

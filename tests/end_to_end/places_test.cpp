@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace raks::test {
 namespace {
@@ -153,9 +154,31 @@ TEST_F(Places, quiet_says_what_went_wrong_alone_and_verbose_more) {
     EXPECT_NE(with("-v").err.find("loading the dances"), std::string::npos);
     EXPECT_EQ(run(words).err.find("loading the dances"), std::string::npos);
     expect_one_line({"-q", "analyze", path("no.wav")}, 1, "no.wav");
-    const ProcessResult version = run({"-V"});
-    EXPECT_EQ(version.exit_code, 0);
-    EXPECT_EQ(version.out.rfind("raks ", 0), 0U) << version.out;
+}
+
+// Packages of one distribution have an FFmpeg with x264, those of another none: whoever asks is
+// told of the one that films are written with here.
+TEST_F(Places, the_version_says_what_it_is_made_of_and_under_which_licence_it_is) {
+    const ProcessResult whole = run({"-V"});
+    EXPECT_EQ(whole.exit_code, 0);
+    EXPECT_TRUE(whole.out.starts_with("raks 0.")) << whole.out;
+    for (const char* line : {"\ncommit    ", "\ncompiler  ", "\nPipeWire  "}) {
+        EXPECT_NE(whole.out.find(line), std::string::npos) << line << "in\n" << whole.out;
+    }
+    const std::string ffmpeg = run_program({"ffmpeg", "-version"});
+    const std::string release = ffmpeg.substr(0, ffmpeg.find(' ', sizeof "ffmpeg version"));
+    EXPECT_NE(whole.out.find("\nFFmpeg    " + release.substr(sizeof "ffmpeg version") + "\n"),
+              std::string::npos)
+        << whole.out;
+    EXPECT_NE(whole.out.find("\nlicence   GPL version "), std::string::npos) << whole.out;
+
+    ProcessPlan without = plan({"--version"});
+    without.environment.emplace_back("RAKS_FILM_MODULE", path("no.so"));
+    without.environment.emplace_back("RAKS_PIPEWIRE_MODULE", path("no.so"));
+    const ProcessResult less = run_process(without);
+    EXPECT_NE(less.out.find("\nFFmpeg    none"), std::string::npos) << less.out;
+    EXPECT_NE(less.out.find("\nPipeWire  none"), std::string::npos) << less.out;
+    EXPECT_EQ(less.out.find("GPL"), std::string::npos) << less.out;
 }
 
 TEST_F(Places, a_film_has_no_overlay_unless_it_is_asked_for) {

@@ -77,7 +77,7 @@ run_setup() {
     shift
     xz -dc "$here/debian_12_$system.status.xz" >"$work/status"
     printf 'Package: %s\nStatus: install ok installed\nMaintainer: nobody\nArchitecture: amd64\nVersion: 999\nDescription: there\n\n' \
-        jackd2 xdotool clang-format clang-tidy clang-14 libclang-rt-14-dev >>"$work/status"
+        jackd2 xdotool clang-format clang-tidy clang-14 libclang-rt-14-dev dpkg-dev lintian zsh fish >>"$work/status"
     apt-cache gencaches -o Dir::State::status="$work/status" >/dev/null
     : >"$work/calls"
     mkdir -p "$work/tree/scripts" "$work/info" "$work/updates"

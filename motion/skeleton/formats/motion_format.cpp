@@ -90,24 +90,25 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
     return std::nullopt;
 }
 
+constexpr std::array<std::pair<std::string_view, MotionFormat>, 16> kEndings = {
+    {{".bvh", MotionFormat::bvh},
+     {".amc", MotionFormat::amc},
+     {".asf", MotionFormat::asf},
+     {".c3d", MotionFormat::c3d},
+     {".trc", MotionFormat::trc},
+     {".csv", MotionFormat::csv},
+     {".tsv", MotionFormat::csv},
+     {".npz", MotionFormat::smpl_npz},
+     {".json", MotionFormat::smpl_json},
+     {".gltf", MotionFormat::model},
+     {".glb", MotionFormat::model},
+     {".vrm", MotionFormat::model},
+     {".vrma", MotionFormat::model},
+     {".3ds", MotionFormat::model},
+     {".fbx", MotionFormat::model},
+     {".dae", MotionFormat::model}}};
+
 std::optional<MotionFormat> format_of_ending(const std::filesystem::path& name) {
-    constexpr std::array<std::pair<std::string_view, MotionFormat>, 16> kEndings = {
-        {{".bvh", MotionFormat::bvh},
-         {".amc", MotionFormat::amc},
-         {".asf", MotionFormat::asf},
-         {".c3d", MotionFormat::c3d},
-         {".trc", MotionFormat::trc},
-         {".csv", MotionFormat::csv},
-         {".tsv", MotionFormat::csv},
-         {".npz", MotionFormat::smpl_npz},
-         {".json", MotionFormat::smpl_json},
-         {".gltf", MotionFormat::model},
-         {".glb", MotionFormat::model},
-         {".vrm", MotionFormat::model},
-         {".vrma", MotionFormat::model},
-         {".3ds", MotionFormat::model},
-         {".fbx", MotionFormat::model},
-         {".dae", MotionFormat::model}}};
     const std::string ending = lower(name.extension().string());
     const auto* const found = std::find_if(
         kEndings.begin(), kEndings.end(), [&](const auto& each) { return each.first == ending; });
@@ -131,6 +132,15 @@ std::optional<MotionFormat> motion_format(std::string_view start,
                                           const std::filesystem::path& name) {
     const auto shown = format_of_content(start);
     return shown ? shown : format_of_ending(name);
+}
+
+std::vector<std::string_view> motion_endings() {
+    std::vector<std::string_view> endings;
+    endings.reserve(kEndings.size());
+    for (const auto& [ending, format] : kEndings) {
+        endings.push_back(ending);
+    }
+    return endings;
 }
 
 bool is_clip_name(const std::filesystem::path& name) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raks::motion {
 
@@ -34,6 +35,9 @@ inline constexpr std::size_t kMotionFormatBytes = 65536;
 /// the ending of its name. None: neither shows one.
 [[nodiscard]] std::optional<MotionFormat> motion_format(std::string_view start,
                                                         const std::filesystem::path& name);
+
+/// The endings of all formats: ".bvh".
+[[nodiscard]] std::vector<std::string_view> motion_endings();
 
 /// Whether a name has the ending of a clip with a skeleton, so that a folder's clips can be told
 /// from the tables that lie beside them.
