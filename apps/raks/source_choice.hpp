@@ -32,7 +32,7 @@ class SourceChoice {
         std::function<void(std::size_t)> play_file;  ///< of the queue
     };
     explicit SourceChoice(Means means) : means_(std::move(means)) {}
-    ~SourceChoice();                             ///< waits for the child, for a second at most
+    ~SourceChoice();                             ///< waits for the child as long as that may take
     SourceChoice(const SourceChoice&) = delete;  ///< lists refer to it
     SourceChoice& operator=(const SourceChoice&) = delete;  ///< likewise
 
