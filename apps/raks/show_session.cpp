@@ -204,14 +204,19 @@ Expected<bool> ShowSession::set_stage_in_window() {
         return fail(opened.error());
     }
     engine::Settings settings = arguments_.settings;
-    auto loading =
-        std::async(std::launch::async, [&settings] { return load_formations(settings); });
-    const bool is_open = show_opening(
-        opened->window, [&] { return loading.wait_for(Nanos(0)) == std::future_status::ready; });
-    auto setup = loading.get();
+    std::future<Expected<StageSetup>> loading;
+    // Asked for the first time when the first picture is seen, which shall not wait for the dances.
+    const bool is_open = show_opening(opened->window, [&] {
+        if (!loading.valid()) {
+            loading =
+                std::async(std::launch::async, [&settings] { return load_formations(settings); });
+        }
+        return loading.wait_for(Nanos(0)) == std::future_status::ready;
+    });
     if (!is_open) {
         return false;
     }
+    auto setup = loading.get();
     if (!setup) {
         return fail(setup.error());
     }
