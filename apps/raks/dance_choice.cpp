@@ -209,7 +209,8 @@ void DanceChoice::Offer::add_dance(DanceId dance,
 
 // Of whole takes there is none to choose.
 void DanceChoice::Offer::add_figures(const Dancers& dancers, std::vector<render::ListRow>& rows) {
-    const motion::DanceLibrary* const library = dancers.repertoire->of(dancers.status.dance);
+    const motion::DanceLibrary* const library =
+        dancers.repertoire != nullptr ? dancers.repertoire->of(dancers.status.dance) : nullptr;
     if (library == nullptr || library->cells() != nullptr) {
         return;
     }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <thread>
@@ -73,9 +74,9 @@ std::vector<std::optional<float>> device_levels(const std::vector<audio::AudioDe
     std::transform(devices.begin(), devices.end(), std::back_inserter(all), listen);
     std::this_thread::sleep_for(kListening);
     std::vector<std::optional<float>> levels;
-    for (const auto& one : all) {
-        levels.push_back(one ? std::optional(one->meter.dbfs()) : std::nullopt);
-    }
+    std::transform(all.begin(), all.end(), std::back_inserter(levels), [](const auto& one) {
+        return one ? std::optional(one->meter.dbfs()) : std::nullopt;
+    });
     return levels;
 }
 

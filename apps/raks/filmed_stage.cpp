@@ -98,6 +98,14 @@ Expected<void> FilmedStage::draw(const engine::StageState& stage,
     return {};
 }
 
+bool FilmedStage::copy_to(const render::FrameTarget& target) {
+    if (!target_ || target.width != size_.width || target.height != size_.height) {
+        return false;
+    }
+    target_->copy_to(target);
+    return true;
+}
+
 Expected<std::span<const std::uint8_t>> FilmedStage::picture() {
     if (auto read = target_->finish_reading(rgba_); !read) {
         return fail(read.error());

@@ -40,6 +40,8 @@ class FilmedStage {
                                       StreamTime moment,
                                       const engine::WindowView& view,
                                       const Describe& describe);
+    /// Copies the picture that was drawn last to a target; false: it has another size.
+    [[nodiscard]] bool copy_to(const render::FrameTarget& target);
     /// The picture that was drawn last: RGBA, premultiplied, top row first. Valid until the next
     /// call. Errors: the driver refuses.
     [[nodiscard]] Expected<std::span<const std::uint8_t>> picture();

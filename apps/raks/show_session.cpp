@@ -85,7 +85,7 @@ ExitCode ShowSession::open() {
 // Where there is nothing to listen to, the dancer dances to music of its own.
 Expected<void> ShowSession::listen_or_play_own() {
     if (arguments_.files.empty()) {
-        const auto chosen = choose_input();
+        auto chosen = choose_input();
         if (chosen || !arguments_.settings.device.empty()) {
             return chosen;
         }

@@ -23,7 +23,6 @@ namespace raks::apps {
 namespace {
 
 using DancerKind = motion::DancerCommand::Kind;
-using engine::Action;
 
 // Without a window: time between two looks at the graph.
 constexpr Nanos kHeadlessNap = std::chrono::milliseconds(20);
@@ -478,7 +477,10 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
         picture.bodies.size());
     follow_stage(staging_, stage);
     staging_.set(picture.scene, picture.camera, {.time = moment}, shown.danced.tracks);
-    draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);
+    // Where an output has drawn this moment in this size, it is drawn once.
+    if (!video_ || !video_->show(picture.target, moment)) {
+        draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);
+    }
     describe_moment(shown, *dances_, overlay);
     describe(stage, overlay);
 }

@@ -52,6 +52,7 @@ void VideoShow::draw(engine::LiveGraph& graph,
                      const engine::WindowView& view,
                      const FilmedStage::Describe& describe) {
     constexpr int kMostAtOnce = 2;
+    drawn_.reset();
     for (int drawn = 0; drawn < kMostAtOnce && !has_failed_; ++drawn) {
         pass_on();
         const engine::StageState& stage = graph.stage();
@@ -59,16 +60,24 @@ void VideoShow::draw(engine::LiveGraph& graph,
         if (!due || stage.published_at_ns == 0) {
             return;
         }
-        if (const auto done = stage_.draw(stage,
-                                          graph.passing_at(*due - offset_),
-                                          view,
-                                          has_overlay_ ? describe : FilmedStage::Describe());
+        const StreamTime moment = graph.passing_at(*due - offset_);
+        if (const auto done =
+                stage_.draw(stage, moment, view, has_overlay_ ? describe : FilmedStage::Describe());
             !done) {
             give_up(done.error());
             return;
         }
         reading_ = due;
+        drawn_ = moment;
     }
+}
+
+// What the window adds of its own, such as messages, lies over the picture alone.
+bool VideoShow::show(const render::FrameTarget& window, StreamTime moment) {
+    // A picture is seen to be out of step from 40 ms on (EBU R37).
+    constexpr Nanos kAlike = std::chrono::milliseconds(40);
+    const bool is_alike = drawn_ && moment - *drawn_ < kAlike && *drawn_ - moment < kAlike;
+    return is_alike && !has_overlay_ && stage_.copy_to(window);
 }
 
 std::vector<std::string> VideoShow::take_lines() {

@@ -31,6 +31,10 @@ class VideoShow {
               const engine::WindowView& view,
               const FilmedStage::Describe& describe);
 
+    /// Puts the picture that the last draw() has drawn into a window of its size, where that shows
+    /// nearly the same moment: then it is drawn once for both. False: there is none.
+    [[nodiscard]] bool show(const render::FrameTarget& window, StreamTime moment);
+
     /// Lines for the person since the last call.
     [[nodiscard]] std::vector<std::string> take_lines();
     /// What was repeated or dropped, in words.
@@ -47,6 +51,7 @@ class VideoShow {
     bool has_overlay_;
     std::unique_ptr<engine::VideoOutput> output_;
     FilmedStage stage_;
+    std::optional<StreamTime> drawn_;  // moment of the picture of the last draw(), if there is one
     std::optional<HostTime> reading_;  // when the picture that is read back is due
     std::string trouble_;
     bool has_failed_ = false;

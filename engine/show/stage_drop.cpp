@@ -42,12 +42,10 @@ bool sort(const fs::path& path, StageDrop& files) {
     if (fs::is_directory(path, ignored)) {
         const bool has_dances = fs::exists(dances_path(path), ignored);
         (has_dances ? files.dances : files.music).push_back(path);
-    } else if (ending == ".vrma") {  // a model's container, with motion alone in it
-        files.clips.push_back(path);
     } else if (ending == ".toml") {
         files.dances.push_back(path);
-        // A model with a clip of its own is worn.
-    } else if (render::is_model_name(path)) {
+        // A model with a clip of its own is worn; a .vrma is a model's container with motion alone.
+    } else if (ending != ".vrma" && render::is_model_name(path)) {
         files.models.push_back(path.string());
     } else if (motion::is_clip_name(path)) {
         files.clips.push_back(path);

@@ -1,6 +1,7 @@
 #include "render/gl/display_loss.hpp"
 
 #include <dlfcn.h>
+#include <poll.h>
 
 #include <atomic>
 
@@ -15,6 +16,14 @@ using ErrorHandler = int (*)(XDisplay*);
 using ExitHandler = void (*)(XDisplay*, void*);
 
 std::atomic<bool> g_is_lost{false};
+std::atomic<int> g_connection{-1};  // to the display's server; < 0: nobody asks
+
+// Whether the server has closed its end. Drivers that find it out by themselves may not survive it.
+bool has_hung_up() noexcept {
+    pollfd connection{g_connection.load(std::memory_order_relaxed), 0, 0};
+    return connection.fd >= 0 && ::poll(&connection, 1, 0) > 0 &&
+           (connection.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
 
 template <typename Function>
 Function function_of(void* library, const char* name) noexcept {
@@ -43,11 +52,19 @@ void outlive_display() noexcept {
             display,
             [](XDisplay*, void*) { g_is_lost.store(true, std::memory_order_relaxed); },
             nullptr);
+        const auto connection_of = function_of<int (*)(XDisplay*)>(xlib, "XConnectionNumber");
+        g_connection.store(connection_of != nullptr ? connection_of(display) : -1,
+                           std::memory_order_relaxed);
     }
     ::dlclose(xlib);
 }
 
 // relaxed: a flag that orders nothing
-bool is_display_lost() noexcept { return g_is_lost.load(std::memory_order_relaxed); }
+bool is_display_lost() noexcept {
+    if (!g_is_lost.load(std::memory_order_relaxed) && has_hung_up()) {
+        g_is_lost.store(true, std::memory_order_relaxed);
+    }
+    return g_is_lost.load(std::memory_order_relaxed);
+}
 
 }  // namespace raks::render

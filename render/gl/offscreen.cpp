@@ -316,6 +316,23 @@ void OffscreenTarget::begin_reading() {
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
+void OffscreenTarget::copy_to(const FrameTarget& target) {
+    const FrameTarget from = resolve();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+    glBlitFramebuffer(0,
+                      0,
+                      width(),
+                      height(),
+                      target.x,
+                      target.y,
+                      target.x + width(),
+                      target.y + height(),
+                      GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+}
+
 Expected<void> OffscreenTarget::finish_reading(std::span<std::uint8_t> rgba) {
     const std::size_t row = static_cast<std::size_t>(width()) * 4;
     const auto rows = static_cast<std::size_t>(height());

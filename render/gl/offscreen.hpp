@@ -90,6 +90,10 @@ class OffscreenTarget {
     /// none; `rgba` has another size; the driver refuses.
     [[nodiscard]] Expected<void> finish_reading(std::span<std::uint8_t> rgba);
 
+    /// Copies the picture into a target of its size, such as a window's, as it is now. Drawing goes
+    /// on there.
+    void copy_to(const FrameTarget& target);
+
     /// Resolves the samples and reads the picture: RGBA, top row first, width * height * 4 bytes.
     /// Errors: as the free read_rgba.
     [[nodiscard]] Expected<void> read_rgba(std::span<std::uint8_t> rgba);

@@ -140,5 +140,30 @@ TEST_F(Offscreen, a_picture_that_is_read_while_others_are_drawn_is_the_one_befor
     }
 }
 
+TEST_F(Offscreen, a_picture_is_copied_into_a_part_of_another) {
+    for (const int samples : {1, 4}) {
+        auto from = OffscreenTarget::create({.width = 3, .height = 2, .samples = samples});
+        auto to = OffscreenTarget::create({.width = 8, .height = 6});
+        ASSERT_TRUE(from && to);
+        const auto clear = [](const OffscreenTarget& target, float red) {
+            glBindFramebuffer(GL_FRAMEBUFFER, target.frame().framebuffer);
+            glClearColor(red, 0.0F, 0.0F, 1.0F);
+            glClear(GL_COLOR_BUFFER_BIT);
+        };
+        clear(*from, 1.0F);
+        clear(*to, 0.0F);
+        from->copy_to({to->frame().framebuffer, 4, 1, 3, 2});
+        std::vector<std::uint8_t> rgba(8 * 6 * 4);
+        ASSERT_TRUE(to->read_rgba(rgba));
+        for (std::size_t y = 0; y < 6; ++y) {
+            for (std::size_t x = 0; x < 8; ++x) {
+                // Rows are counted from the top, and the part from the lower edge.
+                const bool is_copied = x >= 4 && x < 7 && y >= 3 && y < 5;
+                EXPECT_EQ(rgba[(y * 8 + x) * 4], is_copied ? 255 : 0) << x << " " << y;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace raks::render
