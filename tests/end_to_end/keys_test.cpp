@@ -15,6 +15,12 @@
 namespace raks::test {
 namespace {
 
+/// The codecs of a film's streams, a line each, as ffprobe reads them.
+std::string codecs_of(const std::string& film) {
+    return run_program(
+        {"ffprobe", "-v", "error", "-show_entries", "stream=codec_name", "-of", "csv=p=0", film});
+}
+
 /// Plays in a window, paused: what a key changes is all that changes. (Pictures are compared by
 /// EXPECT_TRUE: nobody wants to read them.)
 class Keys : public WindowTest {
@@ -95,14 +101,7 @@ TEST_F(Keys, a_film_is_whole_where_the_display_goes_away_meanwhile) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_EQ(count_of("raks: recorded: ", result.err), 1) << result.err;
     EXPECT_EQ(count_of("raks: the display is gone\n", result.err), 1) << result.err;
-    const std::string said = run_program({"ffprobe",
-                                          "-v",
-                                          "error",
-                                          "-show_entries",
-                                          "stream=codec_name",
-                                          "-of",
-                                          "csv=p=0",
-                                          path("show.mkv")});
+    const std::string said = codecs_of(path("show.mkv"));
     EXPECT_EQ(said, "h264\nopus\n");
 }
 
@@ -162,14 +161,7 @@ TEST_F(Keys, f9_records_a_film_until_it_is_pressed_again) {
     const auto films = screenshots();
     ASSERT_EQ(films.size(), 1U);
     EXPECT_EQ(films.front().substr(films.front().size() - 4), ".mp4");
-    const std::string said = run_program({"ffprobe",
-                                          "-v",
-                                          "error",
-                                          "-show_entries",
-                                          "stream=codec_name",
-                                          "-of",
-                                          "csv=p=0",
-                                          path("pictures/" + films.front())});
+    const std::string said = codecs_of(path("pictures/" + films.front()));
     EXPECT_EQ(said, "h264\naac\n");
 }
 
