@@ -225,6 +225,36 @@ Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
     return costs;
 }
 
+// Processor time in milliseconds of reading a drawn picture back as films and outputs do: begun,
+// waited for, and taken.
+Expected<std::vector<double>> reading_costs(render::Renderer& renderer,
+                                            const render::Scene& scene,
+                                            std::span<const motion::Pose> poses,
+                                            int width,
+                                            int height) {
+    auto target = render::OffscreenTarget::create(
+        {.width = width, .height = height, .samples = renderer.samples()});
+    if (!target) {
+        return fail(target.error());
+    }
+    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(height) * 4);
+    std::vector<double> costs;
+    constexpr int kPictures = 60;
+    for (int i = 0; i < kPictures; ++i) {
+        renderer.draw(scene, poses, target->frame());
+        target->finish();
+        const double start = process_cpu_seconds();
+        target->begin_reading();
+        target->finish();
+        if (auto read = target->finish_reading(rgba); !read) {
+            return fail(read.error());
+        }
+        costs.push_back(1e3 * (process_cpu_seconds() - start));
+    }
+    return costs;
+}
+
 // Those who stand in a grid.
 std::vector<motion::Pose> standing_poses(std::size_t dancers) {
     std::vector<motion::Pose> poses;
@@ -253,7 +283,8 @@ Expected<double> cost_of_each_more(render::Renderer& renderer, render::Scene sce
     return (spread_of(*all).p50 - spread_of(*one).p50) / (kCrowd - 1);
 }
 
-// Cost of building the mannequin, of pictures in two sizes, and of more dancers.
+// Cost of building the mannequin, of pictures in two sizes and their reading back, and of more
+// dancers.
 Expected<BenchReport> bench_render() {
     const auto context = render::OffscreenContext::create();
     if (!context) {
@@ -276,7 +307,13 @@ Expected<BenchReport> bench_render() {
         if (!costs) {
             return fail(costs.error());
         }
+        const auto reading = reading_costs(*renderer, scene, standing_poses(1), width, height);
+        if (!reading) {
+            return fail(reading.error());
+        }
         report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
+        report.spreads.emplace_back(fmt::format("read_back_cpu_ms_{}x{}", width, height),
+                                    spread_of(*reading));
     }
     report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
     const auto each = cost_of_each_more(*renderer, scene);

@@ -442,9 +442,6 @@ std::string_view symbol_of(ValueUnit unit) noexcept {
 
 namespace {
 
-// More keys than this on one line are written as a range from the first to the last.
-constexpr std::size_t kMostCaps = 3;
-
 // Appends the lines of one action. Neighbouring keys with the same text share a line; a key without
 // a text of its own has the row's. `first` keeps a line of the action before from being extended.
 void add_keys(const ActionRow& row, std::vector<HelpLine>& lines) {
@@ -455,13 +452,6 @@ void add_keys(const ActionRow& row, std::vector<HelpLine>& lines) {
             lines.push_back({row.group, {}, text});
         }
         lines.back().keys.emplace_back(key.name);
-    }
-}
-
-// Nine digits would not fit the panel: "1" to "9" become "1-9". The row's keys are consecutive.
-void join_many(HelpLine& line) {
-    if (line.keys.size() > kMostCaps) {
-        line.keys = {line.keys.front() + "-" + line.keys.back()};
     }
 }
 
@@ -480,10 +470,6 @@ std::vector<HelpLine> help_lines(const std::function<bool(Action)>& is_there) {
         if (is_there(row.action)) {
             add_keys(row, lines);
         }
-    }
-    // Joined last: add_keys() extends a line key by key.
-    for (HelpLine& line : lines) {
-        join_many(line);
     }
     return lines;
 }

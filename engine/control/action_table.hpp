@@ -172,7 +172,7 @@ struct TakenValue {
 /// One line of the help panel: the keys that share a text, such as Left and Right.
 struct HelpLine {
     ActionGroup group{};            ///< under whose title the line stands
-    std::vector<std::string> keys;  ///< as written on the keys; many in a row as one: "1-9"
+    std::vector<std::string> keys;  ///< as written on the keys
     std::string_view text;          ///< "back, forward 5 s"; lives as long as the program
 };
 

@@ -39,7 +39,7 @@ class HelpList {
                                                      const ActionDispatcher& actions);
 
 /// The press of a key by the name that is written on it: "Left", "Shift+F3", "?". None: it names no
-/// single key, such as "1-9". Pure.
+/// key. Pure.
 [[nodiscard]] std::optional<KeyEvent> key_named(std::string_view name);
 
 }  // namespace raks::engine

@@ -26,11 +26,21 @@ constexpr float kLeastMargin = 6.0F;                         // above and below 
 constexpr float kNarrowWidth = kColumnWidth + 2.0F * kEdge;  // one column
 static_assert(kKeysPanelWidth == 2.0F * kColumnWidth + 2.0F * kEdge);
 constexpr float kKeysWidth = 172.0F;
+constexpr std::size_t kFewKeys = 4;  // more on one line, such as nine digits, are narrow
+
+/// How wide a key's cap is beside its name and at least, and the gap to the next.
+struct CapSizes {
+    float around = 14.0F;
+    float least = 22.0F;
+    float gap = 6.0F;
+};
+constexpr CapSizes kNarrowCap{.around = 8.0F, .least = 16.0F, .gap = 2.0F};
 
 /// A key as a small cap.
-Box draw_cap(const Pen& pen, std::string_view name, float x, float y, float height) {
+Box draw_cap(
+    const Pen& pen, std::string_view name, const CapSizes& sizes, float x, float y, float height) {
     const ImFont* const font = pen.fonts().small;
-    const float width = std::max(pen.width_of(font, name) + 14.0F, 22.0F);
+    const float width = std::max(pen.width_of(font, name) + sizes.around, sizes.least);
     const Box cap{x, y, width, height};
     pen.fill(cap, {0xFFFFFF, 0.10F}, 5.0F);
     pen.outline(cap, {0xFFFFFF, 0.16F}, 5.0F);
@@ -70,11 +80,12 @@ void draw_row(const Pen& pen,
     if (row.keys.size() == 1) {
         add({place.x, place.y, place.width - 6.0F, height}, 0);
     }
+    const CapSizes sizes = row.keys.size() > kFewKeys ? kNarrowCap : CapSizes();
     float key_x = place.x;
     for (std::size_t i = 0; i < row.keys.size(); ++i) {
-        const Box cap = draw_cap(pen, row.keys[i], key_x, place.y, height);
+        const Box cap = draw_cap(pen, row.keys[i], sizes, key_x, place.y, height);
         add(cap, i);
-        key_x = cap.right() + 6.0F;
+        key_x = cap.right() + sizes.gap;
     }
     const OverlayFonts& fonts = pen.fonts();
     // Many or long keys push their text on instead of running over it.
