@@ -63,6 +63,10 @@ FaceShape face_shape(FaceExpression expression) noexcept {
             return {.gaze_right = 0.0062F};
         case E::look_right:
             return {.gaze_right = -0.0062F};
+        case E::brow_up_left:
+            return {.lids = {-0.10F, 0.04F}, .brow_up = {0.0062F, -0.0014F}};
+        case E::brow_up_right:
+            return {.lids = {0.04F, -0.10F}, .brow_up = {-0.0014F, 0.0062F}};
         case E::neutral:
             break;
     }

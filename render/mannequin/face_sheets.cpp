@@ -221,7 +221,7 @@ Sheet lashes(const FaceShape& shape, std::size_t side, const FaceLook& look) {
     return sheet;
 }
 
-Sheet brow(const FaceShape& shape, const FaceLook& look) {
+Sheet brow(const FaceShape& shape, std::size_t side, const FaceLook& look) {
     constexpr std::uint32_t kColumns = 10;
     Sheet sheet{.rows = 3, .columns = kColumns, .points = {}};
     for (std::uint32_t row = 0; row < 3; ++row) {
@@ -231,7 +231,8 @@ Sheet brow(const FaceShape& shape, const FaceLook& look) {
             const float arc = 0.0056F * std::sin(glm::radians(150.0F) * s) - 0.0010F * s;
             const float thick = look.brow * 0.0026F * (1.0F - 0.75F * smoothstep(0.35F, 1.0F, s)) *
                                 smoothstep(-0.25F, 0.12F, s);
-            const float rise = shape.brow_inner + (shape.brow_outer - shape.brow_inner) * s;
+            const float alone = shape.brow_up[side] * (0.35F + std::sin(glm::radians(150.0F) * s));
+            const float rise = shape.brow_inner + (shape.brow_outer - shape.brow_inner) * s + alone;
             sheet.points.push_back({.x = 0.0130F + 0.0420F * s,
                                     .y = 1.6135F - look.brow_low + arc + rise + across * thick,
                                     .off = row == 1 ? 0.0016F : 0.0002F,
@@ -360,7 +361,7 @@ std::vector<Sheet> face_sheets(const FaceShape& shape, MannequinBuild build) {
                             upper_lid(own, side, look),
                             lower_lid(own, side, look),
                             lashes(own, side, look),
-                            brow(own, look)}) {
+                            brow(own, side, look)}) {
             sheet.is_right = side == 1;
             sheets.push_back(std::move(sheet));
         }

@@ -87,7 +87,7 @@ std::vector<glm::mat4> played(const Model& model, float time) {
 /// distance, in metres, of all nodes at all times.
 float farthest_off(Model model) {
     const std::vector<motion::Pose> poses = dance();
-    put_dance(model, poses, kRate, "dance", "song.wav");
+    put_dance(model, poses, {}, kRate, "dance", "song.wav");
     const auto read = written_glb(model);
     EXPECT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->animations.size(), 1U);
@@ -133,7 +133,7 @@ TEST(DancedModel, has_its_dance_for_its_only_clip_and_still_nodes_have_no_channe
     auto model = load_to_give_away(kFigureFiles / "RiggedFigure.glb", {});
     ASSERT_TRUE(model) << model.error().message;
     model->animations.resize(3);
-    put_dance(*model, std::vector<motion::Pose>(5), kRate, "still");
+    put_dance(*model, std::vector<motion::Pose>(5), {}, kRate, "still");
     ASSERT_EQ(model->animations.size(), 1U);
     EXPECT_LT(model->animations.front().channels.size(), model->nodes.size());
     for (const render::AnimationChannel& channel : model->animations.front().channels) {
