@@ -163,17 +163,17 @@ int ExpressionRig::find(std::string_view name) const noexcept {
 /// What a figure lacks another expression stands for, less of it.
 void ExpressionRig::find_stand_ins() {
     using E = FaceExpression;
-    struct StandIn {
+    struct Choice {
         E lacking;
         E shown;
         float share;
     };
-    constexpr std::array<StandIn, 4> kStandIns = {{{E::surprised, E::oh, 0.5F},
-                                                   {E::surprised, E::aa, 0.4F},
-                                                   {E::relaxed, E::happy, 0.45F},
-                                                   {E::happy, E::relaxed, 1.0F}}};
+    constexpr std::array<Choice, 4> kChoices = {{{E::surprised, E::oh, 0.5F},
+                                                 {E::surprised, E::aa, 0.4F},
+                                                 {E::relaxed, E::happy, 0.45F},
+                                                 {E::happy, E::relaxed, 1.0F}}};
     std::array<bool, kFaceExpressionCount> has_one{};
-    for (const StandIn& one : kStandIns) {
+    for (const Choice& one : kChoices) {
         const auto lacking = static_cast<std::size_t>(one.lacking);
         const int shown = presets_[static_cast<std::size_t>(one.shown)];
         if (presets_[lacking] < 0 && shown >= 0 && !has_one[lacking]) {

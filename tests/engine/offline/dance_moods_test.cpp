@@ -16,7 +16,7 @@
 #include "motion/skeleton/feeling.hpp"
 #include "tests/engine/installed.hpp"
 
-namespace raks::engine {
+namespace raks::engine::dance_moods_test {
 namespace {
 
 using motion::Emotion;
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                                            DanceAndMusic{"rock", audio::Style::backbeat, 124.0},
                                            DanceAndMusic{"hiphop", audio::Style::boom_bap, 94.0},
                                            DanceAndMusic{"waltz", audio::Style::oom_pah_pah, 90.0}),
-                         [](const auto& info) { return std::string(info.param.dance); });
+                         [](const auto& one) { return std::string(one.param.dance); });
 
 }  // namespace
-}  // namespace raks::engine
+}  // namespace raks::engine::dance_moods_test

@@ -8,7 +8,7 @@
 
 #include "render/model/expression_names.hpp"
 
-namespace raks::render {
+namespace raks::render::face_morphs_test {
 namespace {
 
 /// A figure whose mesh, shown by its second node, has morph targets of these names.
@@ -96,7 +96,7 @@ TEST(FaceMorphs, of_vroid_are_known_by_how_their_names_end) {
 
 TEST(FaceMorphs, a_figure_that_has_expressions_keeps_its_own) {
     Model model = with_targets({"mouthSmileLeft"});
-    model.character.expressions.push_back({.name = "wink"});
+    model.character.expressions.emplace_back().name = "wink";
     add_face_morphs(model);
     EXPECT_EQ(names_of(model), std::vector<std::string>{"wink"});
 }
@@ -108,4 +108,4 @@ TEST(FaceMorphs, of_other_names_give_nothing) {
 }
 
 }  // namespace
-}  // namespace raks::render
+}  // namespace raks::render::face_morphs_test
