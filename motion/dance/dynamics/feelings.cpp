@@ -36,7 +36,7 @@ constexpr double kSurprised = 1.1;
 constexpr float kSurprise = 0.80F;
 constexpr double kCalmAfterStop = 3.0;
 constexpr double kRelieved = 1.8;
-constexpr double kJoyOfDrop = 3.0;
+constexpr double kJoyOfDrop = 2.6;
 constexpr double kJoyAtEnd = 5.0;
 
 constexpr float kJoy = 0.35F;      // of full energy
@@ -48,12 +48,12 @@ constexpr double kTeethApart = 1.3;    // seconds
 constexpr double kTeethShow = 0.45;
 
 // Of a body that works: the height of the hips against standing at which it begins and is whole.
-constexpr float kDeepFrom = 0.90F;
-constexpr float kDeepTo = 0.80F;
+constexpr float kDeepFrom = 0.88F;
+constexpr float kDeepTo = 0.76F;
 constexpr int kJump = 9;              // hops without a foot on the floor
 constexpr float kStrainFades = 0.5F;  // seconds
 constexpr float kStrainUsual = 6.0F;
-constexpr float kStrainShown = 0.65F;
+constexpr float kStrainShown = 0.55F;
 
 // In the first count and a half of a phrase one looks at who watches.
 constexpr double kOpensBefore = 0.06;  // bars
@@ -194,7 +194,9 @@ float Feelings::cause(double now, Feeling& target) const noexcept {
         return 1.0F;
     }
     if (is_within(now, dropped_, kJoyOfDrop)) {
-        target.of(Emotion::happy) = 0.9F;
+        // Joy with wide eyes.
+        target.of(Emotion::happy) = 0.8F;
+        target.of(Emotion::surprised) = 0.38F;
         target.teeth = 0.5F;
         return 1.0F;
     }
