@@ -92,12 +92,13 @@ void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NO
     state.commands.run_due(music.time, [&](const DancerCommand& command) { state.apply(command); });
     state.decide(music);
     state.look_on(music.time);
+    state.feel(music);
     const Pose pose = state.smoothed(
         music.time, Nanos(0), state.next(music.time, Nanos(0), state.feet, state.looks));
     state.shown_before = state.shown;
     state.shown = pose;
     state.note_swings();
-    track.append_final(music.hop, pose);
+    track.append_final(music.hop, pose, state.feelings.now());
     PlantedFeet feet = state.feet;
     Looks looks = state.looks;
     for (int i = 1; i <= PoseTrack::kPredictedPoses; ++i) {

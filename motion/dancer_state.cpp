@@ -18,9 +18,9 @@ namespace {
 constexpr double kLandingLeadByPace = 0.06;
 // Limit of the lead that a figure asks for
 constexpr Nanos kMostLandingLead = std::chrono::milliseconds(60);
-constexpr float kBreath = 0.012F;      // radians of the chest, of one who stands still
-constexpr double kBreathPeriod = 3.1;  // seconds
-constexpr float kBreathRises = 0.4F;   // seconds until it shows
+// Bars before and after the first count of a phrase in which the head turns to the audience
+constexpr double kOpensBefore = 0.12;
+constexpr double kOpens = 0.30;
 
 /// How far ahead of the phase the pose is read, so that landings fall on the beat. `delay`: how
 /// late the figure's steps come down at the learnt tempo. A landing is detected where a foot falls
@@ -47,17 +47,6 @@ DanceMetre metre_of(const DanceContent& content, const DanceLibrary* partner) {
             0.5 * (metre.learnt_tempo.seconds_per_beat() + other.seconds_per_beat()));
     }
     return metre;
-}
-
-/// Who stands still breathes.
-void breathe(double seconds_still, Pose& pose) noexcept {
-    const float rises = smoothstep(0.0F, kBreathRises, static_cast<float>(seconds_still));
-    const auto phase = static_cast<float>(2.0 * M_PI * seconds_still / kBreathPeriod);
-    const float half = -0.5F * kBreath * rises * std::sin(phase);
-    for (const Bone bone : {Bone::chest, Bone::upper_chest}) {
-        pose.rotation(bone) =
-            pose.rotation(bone) * glm::quat(std::cos(half), std::sin(half), 0.0F, 0.0F);
-    }
 }
 
 }  // namespace
@@ -162,14 +151,16 @@ Pose Dancer::State::layered(StreamTime now,
                             Nanos ahead,
                             const Looks& own,
                             Pose pose) const noexcept {
-    if (still.is_at_rest(now + ahead)) {
-        breathe(still.seconds_at_rest(now + ahead), pose);
+    if (has_dynamics()) {
+        breath.apply(now + ahead, pose);
     }
     hits.apply(now + ahead, pose);
     hands.apply(skeleton, now + ahead, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
         own.apply(skeleton, pose);
+    } else if (has_dynamics()) {
+        own.lift_head(skeleton, pose);
     }
     return pose;
 }
@@ -202,11 +193,27 @@ Pose Dancer::State::next(StreamTime now,
 /// Where the head turns to, one hop on.
 void Dancer::State::look_on(StreamTime now) noexcept {
     if (has_dynamics()) {
-        const LookFor what = !is_dancing     ? LookFor::wait
-                             : still.is_on() ? LookFor::pose
-                                             : LookFor::dance;
+        const bool opens = phrases.bar() < kOpens || phrases.bar() > Phrases::kBars - kOpensBefore;
+        const LookFor what = !is_dancing              ? LookFor::wait
+                             : still.is_on() || opens ? LookFor::pose
+                                                      : LookFor::dance;
         looks.advance(skeleton, now, part.ways, what, shown);
     }
+}
+
+/// What the face shows, and how deep a breath is.
+void Dancer::State::feel(const MusicState& music) noexcept {
+    const float stands = skeleton.offsets[index_of(Bone::hips)].y;
+    feelings.advance({.music = music,
+                      .mood = repertoire->mood_of(genre),
+                      .seed = part.ways,
+                      .is_dancing = is_dancing,
+                      .is_in_couple = part.is_in_couple,
+                      .bar = phrases.bar(),
+                      .energy = manner.energy(),
+                      .height = stands > 0.0F ? shown.hips_position.y / stands : 1.0F,
+                      .is_in_air = !shown.foot_contact[0] && !shown.foot_contact[1]});
+    breath.advance(manner.energy(), still.is_at_rest(music.time));
 }
 
 // The pose with what is left of the last change. Joint rotations and hips decay independently of

@@ -8,6 +8,8 @@
 #include "motion/dance/beat_phase.hpp"
 #include "motion/dance/cell_listener.hpp"
 #include "motion/dance/dance_sequence.hpp"
+#include "motion/dance/dynamics/breath.hpp"
+#include "motion/dance/dynamics/feelings.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
 #include "motion/dance/dynamics/hits.hpp"
 #include "motion/dance/dynamics/looks.hpp"
@@ -76,6 +78,8 @@ struct Dancer::Course {
     std::optional<StreamTime> bows_at{};  // a bow begins
     PlantedFeet feet;
     Looks looks;
+    Breath breath;
+    Feelings feelings;
 
     Inertialization smoothing;  // decays the jump of the last change
     StreamTime changed_at{};    // hop before the change, at which its difference was measured
@@ -141,6 +145,7 @@ struct Dancer::State : Dancer::Course {
                             PlantedFeet& own,
                             const Looks& looking) const noexcept;
     void look_on(StreamTime now) noexcept;
+    void feel(const MusicState& music) noexcept;
     [[nodiscard]] Pose smoothed(StreamTime now, Nanos ahead, Pose pose) const noexcept;
     void change(StreamTime now) noexcept;
     void note_swings() noexcept;

@@ -41,9 +41,10 @@ double octaves_from_likely(Bpm tempo, const DanceTempo& range) noexcept {
 Repertoire::Repertoire(DanceId first,
                        std::shared_ptr<const DanceLibrary> library,
                        Fallback otherwise,
-                       const DanceTempo& tempo)
+                       const DanceTempo& tempo,
+                       const DanceMood& mood)
     : first_(first), fallback_(otherwise) {
-    add(first, std::move(library), tempo);
+    add(first, std::move(library), tempo, mood);
 }
 
 std::shared_ptr<const Repertoire> Repertoire::of_one(std::shared_ptr<const DanceLibrary> library) {
@@ -52,11 +53,13 @@ std::shared_ptr<const Repertoire> Repertoire::of_one(std::shared_ptr<const Dance
 
 void Repertoire::add(DanceId id,
                      std::shared_ptr<const DanceLibrary> library,
-                     const DanceTempo& tempo) {
+                     const DanceTempo& tempo,
+                     const DanceMood& mood) {
     const auto slot = index_of(id);
     RAKS_ASSERT(library != nullptr && slot < owned_.size() && owned_[slot] == nullptr);
     owned_[slot] = std::move(library);
     tempos_[slot] = tempo;
+    moods_[slot] = mood;
     // release: pairs with the acquire in of(); the dancer sees a dance that is whole.
     dances_[slot].store(owned_[slot].get(), std::memory_order_release);
 }
@@ -64,6 +67,10 @@ void Repertoire::add(DanceId id,
 const DanceLibrary* Repertoire::of(DanceId id) const noexcept RAKS_NONBLOCKING {
     return index_of(id) < dances_.size() ? dances_[index_of(id)].load(std::memory_order_acquire)
                                          : nullptr;
+}
+
+const DanceMood& Repertoire::mood_of(DanceId id) const noexcept RAKS_NONBLOCKING {
+    return moods_[index_of(id) < moods_.size() ? index_of(id) : index_of(first_)];
 }
 
 // In music of a metre that no dance has, the first one is danced; where that is forbidden, any that

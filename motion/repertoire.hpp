@@ -10,6 +10,7 @@
 #include "base/dance_list.hpp"
 #include "base/realtime.hpp"
 #include "motion/dance_library.hpp"
+#include "motion/figures/dance_mood.hpp"
 
 namespace raks::motion {
 
@@ -40,7 +41,8 @@ class Repertoire {
     Repertoire(DanceId first,
                std::shared_ptr<const DanceLibrary> library,
                Fallback otherwise = Fallback::first,
-               const DanceTempo& tempo = {});
+               const DanceTempo& tempo = {},
+               const DanceMood& mood = {});
 
     /// A repertoire of one dance for any music; null for a null library. Threads: any. Real-time:
     /// no.
@@ -49,10 +51,15 @@ class Repertoire {
 
     /// Adds a dance; each number at most once. It stays for as long as the repertoire lives.
     /// Threads: one adds at a time, others may read. Real-time: no.
-    void add(DanceId id, std::shared_ptr<const DanceLibrary> library, const DanceTempo& tempo = {});
+    void add(DanceId id,
+             std::shared_ptr<const DanceLibrary> library,
+             const DanceTempo& tempo = {},
+             const DanceMood& mood = {});
 
     /// The library of a dance; null: not known (yet). Threads: any. Real-time: yes.
     [[nodiscard]] const DanceLibrary* of(DanceId id) const noexcept RAKS_NONBLOCKING;
+    /// How the faces of a dance that is known look. Threads: any, after of(). Real-time: yes.
+    [[nodiscard]] const DanceMood& mood_of(DanceId id) const noexcept RAKS_NONBLOCKING;
     /// The dance given to the constructor. Threads: any. Real-time: yes.
     [[nodiscard]] DanceId first() const noexcept { return first_; }
     /// What is danced to other music. Threads: any. Real-time: yes.
@@ -73,6 +80,7 @@ class Repertoire {
     Fallback fallback_;
     std::array<std::shared_ptr<const DanceLibrary>, kMostDances> owned_;
     std::array<DanceTempo, kMostDances> tempos_{};  // of those that are in dances_
+    std::array<DanceMood, kMostDances> moods_{};    // likewise
     std::array<std::atomic<const DanceLibrary*>, kMostDances> dances_{};
 };
 

@@ -17,8 +17,10 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/danced_faces.hpp"
 #include "engine/show/danced_model.hpp"
 #include "engine/show/given_away.hpp"
+#include "engine/show/picture.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/vrma.hpp"
 #include "render/export/glb_writer.hpp"
@@ -28,14 +30,44 @@
 namespace raks::apps {
 namespace {
 
-// Writes one dancer's poses as motion alone; null: the file is of another kind.
-using Writer = decltype(&motion::write_bvh);
+// One dancer's dance, at an even rate.
+struct Danced {
+    std::span<const motion::Pose> poses;
+    std::vector<render::Face> faces;  // one a pose
+};
 
-Writer writer_of(const Path& output) {
-    const Path ending = output.extension();
-    return ending == ".bvh"    ? &motion::write_bvh
-           : ending == ".vrma" ? &motion::write_vrma
-                               : nullptr;
+// What passes each hop on to poses and faces.
+class CollectDance final : public engine::OfflineDriver::Sink {
+ public:
+    CollectDance(double fps, const engine::FaceHabits& habits) : poses(fps), faces(fps, habits) {}
+
+    void on_hop(const engine::PerformedHop& hop) override {
+        poses.on_hop(hop);
+        faces.on_hop(hop);
+    }
+    [[nodiscard]] Danced of(std::size_t dancer) const {
+        const std::vector<motion::Pose>& own = poses.dancers[dancer];
+        return {own, faces.of(dancer, own.size())};
+    }
+
+    engine::CollectPoses poses;
+    engine::CollectFaces faces;
+};
+
+bool is_motion_alone(const Path& output) {
+    return output.extension() == ".bvh" || output.extension() == ".vrma";
+}
+
+// Writes one dancer's dance as motion alone.
+Expected<void> write_motion(const Path& path,
+                            const motion::Skeleton& skeleton,
+                            const Danced& danced,
+                            double fps) {
+    if (path.extension() == ".bvh") {
+        return motion::write_bvh(path, skeleton, danced.poses, fps);
+    }
+    return motion::write_vrma(
+        path, skeleton, danced.poses, fps, engine::expression_tracks(danced.faces));
 }
 
 bool is_with_avatar(const Path& output) { return output.extension() == ".glb"; }
@@ -103,13 +135,17 @@ Path file_of(const Path& output, std::size_t dancer, std::size_t dancers) {
 // Writes one dancer's model with its dance as an animation.
 Expected<void> write_model(const Path& path,
                            render::Model model,
-                           std::span<const motion::Pose> poses,
+                           const Danced& danced,
                            const DanceArguments& arguments) {
-    if (poses.empty()) {
+    if (danced.poses.empty()) {
         return fail(path.string() + ": there is nothing to dance to");
     }
-    engine::put_dance(
-        model, poses, arguments.fps, path.stem().string(), arguments.input.filename().string());
+    engine::put_dance(model,
+                      danced.poses,
+                      danced.faces,
+                      arguments.fps,
+                      path.stem().string(),
+                      arguments.input.filename().string());
     const auto bytes = render::glb_bytes(model);
     return bytes ? write_file(path, *bytes) : fail(bytes.error());
 }
@@ -148,8 +184,8 @@ Expected<void> lay_music_beside(const Path& output, const Path& music) {
 ExitCode dance(const DanceArguments& given) {
     DanceArguments arguments = given;
     // Checked before the music is read, as everything that can fail at once.
-    const Writer write = writer_of(arguments.output);
-    if (write == nullptr && !is_with_avatar(arguments.output)) {
+    const bool is_alone = is_motion_alone(arguments.output);
+    if (!is_alone && !is_with_avatar(arguments.output)) {
         return fail(arguments.output.string() +
                     ": cannot write this kind of motion; known: .bvh, .vrma, .glb");
     }
@@ -166,7 +202,7 @@ ExitCode dance(const DanceArguments& given) {
     if (!source) {
         return fail(source.error());
     }
-    if (write != nullptr) {
+    if (is_alone) {
         std::erase(*avatars, Path());
     }
     auto models = models_of(*avatars, avatar_options(arguments.settings));
@@ -174,7 +210,7 @@ ExitCode dance(const DanceArguments& given) {
         return fail(models.error());
     }
     // Avatars are loaded even so: one that cannot dance is an error here, too.
-    if (write != nullptr && !models->empty()) {
+    if (is_alone && !models->empty()) {
         say(arguments.output.string() +
             ": holds the motion of the mannequin's body; write X.glb to have it on the avatar");
         models->clear();
@@ -190,7 +226,7 @@ ExitCode dance(const DanceArguments& given) {
         return fail(std::move(driver.error()));
     }
     // Poses are kept in memory: files need their number before the first.
-    engine::CollectPoses collect(arguments.fps);
+    CollectDance collect(arguments.fps, engine::face_habits(arguments.settings));
     ProgressLine progress("dancing");
     for (auto block = source->next(); !block.mono.empty() && !stop_signal();
          block = source->next()) {
@@ -201,26 +237,26 @@ ExitCode dance(const DanceArguments& given) {
     }
     // The end of the music, or of what was read when a signal came.
     driver->finish(collect);
-    collect.finish(source->given());
+    collect.poses.finish(source->given());
     if (!source->warning().empty()) {
         say(source->warning());
     }
     // A dance that a signal cut short must not replace the file of a whole one.
     const bool is_stopped = stop_signal().has_value();
     // No hop was danced.
-    if (collect.dancers.empty()) {
-        collect.dancers.emplace_back();  // of no length: the writer says that there are no poses
+    if (collect.poses.dancers.empty()) {
+        collect.poses.dancers
+            .emplace_back();  // of no length: the writer says that there are no poses
     }
     // One file a dancer.
     std::vector<Path> files;
-    for (std::size_t i = 0; i < collect.dancers.size(); ++i) {
-        const Path whole = file_of(arguments.output, i, collect.dancers.size());
+    for (std::size_t i = 0; i < collect.poses.dancers.size(); ++i) {
+        const Path whole = file_of(arguments.output, i, collect.poses.dancers.size());
         const Path path = is_stopped ? stopped_name(whole) : whole;
         files.push_back(path);
         const auto written =
-            write != nullptr
-                ? write(path, setup->skeleton, collect.dancers[i], arguments.fps)
-                : write_model(path, (*models)[i % models->size()], collect.dancers[i], arguments);
+            is_alone ? write_motion(path, setup->skeleton, collect.of(i), arguments.fps)
+                     : write_model(path, (*models)[i % models->size()], collect.of(i), arguments);
         if (!written) {
             return fail(written.error());
         }
@@ -228,7 +264,7 @@ ExitCode dance(const DanceArguments& given) {
     if (is_stopped) {
         say_stopped(files, source->given());
     }
-    if (write == nullptr) {
+    if (!is_alone) {
         if (auto laid = lay_music_beside(arguments.output, arguments.input); !laid) {
             return fail(laid.error());
         }

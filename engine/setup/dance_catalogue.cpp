@@ -11,6 +11,7 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
+#include "motion/figures/dance_mood_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -149,7 +150,21 @@ void DanceCatalogue::add(CatalogueEntry entry) {
                                      entry.folder.string()));
         return;
     }
+    if (entry.has_figures) {
+        entry.mood = mood_in(entry);
+    }
     entries_.push_back(std::move(entry));
+}
+
+/// The mood that the dance's file says. One that cannot be read is left out, and a note says so;
+/// a file that is no grammar at all is complained of where its dance is loaded.
+motion::DanceMood DanceCatalogue::mood_in(const CatalogueEntry& entry) {
+    const fs::path file = grammar_path(entry.folder, entry.info.name);
+    const auto mood = motion::load_mood(file);
+    if (!mood && motion::load_grammar(file)) {
+        notes_.push_back(mood.error().message + "; faces go without it");
+    }
+    return mood.value_or(motion::DanceMood());
 }
 
 void DanceCatalogue::join_extensions() {

@@ -10,6 +10,7 @@
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "motion/dance/generator.hpp"
+#include "motion/figures/dance_mood.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
 
@@ -30,6 +31,7 @@ struct CatalogueEntry {
     std::vector<std::filesystem::path> extensions;  ///< folders whose figures are added to it
     bool has_cells = false;                         ///< of whole takes of people: a file of cells
     bool has_figures = false;                       ///< a grammar; a dance may have both
+    motion::DanceMood mood{};                       ///< of its dancers' faces
 };
 
 /// Whether a dancer dances alone or as one of a couple, where each leaves the other room.
@@ -105,6 +107,7 @@ class DanceCatalogue {
  private:
     void add_folder(const std::filesystem::path& folder, DanceOrigin origin);
     void add(CatalogueEntry entry);
+    [[nodiscard]] motion::DanceMood mood_in(const CatalogueEntry& entry);
     void join_extensions();
     void number_dances();
 

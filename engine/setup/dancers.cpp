@@ -95,6 +95,11 @@ struct DanceLoader {
                                : motion::DanceTempo{};
     }
 
+    [[nodiscard]] motion::DanceMood mood_of(const std::string& dance) const {
+        const CatalogueEntry* const entry = catalogue.find(dance);
+        return entry != nullptr ? entry->mood : motion::DanceMood{};
+    }
+
     [[nodiscard]] DanceForm form_for(const SolvedPart& part) const {
         DanceForm own = form;
         own.material = part.body.material;
@@ -124,7 +129,8 @@ struct DanceLoader {
             parts[i].repertoire = std::make_shared<Repertoire>(catalogue.list()->id_of(dance),
                                                                std::move((*libraries)[i]),
                                                                fallback_of(settings),
-                                                               tempo_of(dance));
+                                                               tempo_of(dance),
+                                                               mood_of(dance));
         }
         return {};
     }
@@ -139,7 +145,8 @@ struct DanceLoader {
         }
         const DanceId id = catalogue.list()->id_of(dance);
         for (std::size_t i = parts.size(); i-- > 0;) {
-            parts[i].repertoire->add(id, std::move((*libraries)[i]), tempo_of(dance));
+            parts[i].repertoire->add(
+                id, std::move((*libraries)[i]), tempo_of(dance), mood_of(dance));
         }
         return {};
     }

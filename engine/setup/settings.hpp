@@ -45,23 +45,24 @@ struct Settings {
     // [picture]
     /// What dancers wear in turn: "mannequin", a file, or a name in the person's folder of avatars.
     std::vector<std::string> avatars = {"mannequin"};
-    double avatar_height = 0.0;       ///< metres; 0: its own; [0, 10]
-    std::string avatar_labels;        ///< file that says which nodes are its bones; empty: none
-    std::string theme = "stage";      ///< stage, workshop_dark, studio_light or plain
-    std::string backdrop = "stage";   ///< stage, transparent, or a key colour: #RRGGBB
-    bool shadow = true;               ///< dancers throw one on the floor
-    bool rings = true;                ///< rings of light on the floor show the beat
-    std::string dress = "dancer";     ///< of painted bodies: dancer or mannequin
-    std::string camera = "director";  ///< or a preset: wide, portrait, front or side
-    bool calm = false;                ///< fewer cuts; light changes slowly, little, with no accent
-    std::string size = "1280x720";    ///< WIDTHxHEIGHT
-    double fps = 30.0;                ///< pictures a second, [1, 240]; 0: the monitor's
-    std::string quality = "auto";     ///< auto, fast or high
-    std::string view = "auto";        ///< auto (stick when danced by positions), skin or stick
-    bool face_blink = true;           ///< eyes blink by themselves
-    bool face_mouth = true;           ///< the mouth opens with the music
-    bool face_gaze = true;            ///< eyes look at the camera, or at the partner
-    bool overlay = true;              ///< tempo, bar, dance and levels over the picture
+    double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
+    std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
+    std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
+    std::string backdrop = "stage";    ///< stage, transparent, or a key colour: #RRGGBB
+    bool shadow = true;                ///< dancers throw one on the floor
+    bool rings = true;                 ///< rings of light on the floor show the beat
+    std::string dress = "dancer";      ///< of painted bodies: dancer or mannequin
+    std::string camera = "director";   ///< or a preset: wide, portrait, front or side
+    bool calm = false;                 ///< fewer cuts; light changes slowly, little, with no accent
+    std::string size = "1280x720";     ///< WIDTHxHEIGHT
+    double fps = 30.0;                 ///< pictures a second, [1, 240]; 0: the monitor's
+    std::string quality = "auto";      ///< auto, fast or high
+    std::string view = "auto";         ///< auto (stick when danced by positions), skin or stick
+    bool face_blink = true;            ///< eyes blink by themselves
+    bool face_mouth = true;            ///< the mouth opens with the music
+    bool face_gaze = true;             ///< eyes look at the camera, or at the partner
+    std::string face_mood = "normal";  ///< how much faces feel: off, calm, normal or stage
+    bool overlay = true;               ///< tempo, bar, dance and levels over the picture
     // Not in the table: no key of config.toml, and no option.
     std::vector<std::string> forbidden_dances;  ///< that a preset forbids: they are not loaded
     SettingOrigins origins;                     ///< where each of the table has its value from

@@ -260,6 +260,13 @@ const std::array kRows = std::to_array<SettingRow>({
      .manual = "its eyes look at the camera, those of a couple at each other, and go first where "
                "the head turns away"},
     {.section = "picture",
+     .name = "face_mood",
+     .field = &Settings::face_mood,
+     .words = Words("off", "calm", "normal", "stage"),
+     .help = "how much faces feel: off, calm, normal or stage (seen from afar)",
+     .option = {"--mood", kShows | kDance},
+     .manual = "how much faces feel: `off`, `calm`, `normal`, or `stage`, which is seen from afar"},
+    {.section = "picture",
      .name = "overlay",
      .field = &Settings::overlay,
      .help = "beat, tempo and levels over the picture",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,10 +31,16 @@ struct JointKeys {
     std::vector<glm::quat> rotations;
 };
 
-/// Of every joint, one a pose.
-std::vector<JointKeys> keys_of(const render::Avatar& avatar,
-                               std::span<const motion::Pose> poses,
-                               double rate) {
+/// The keys of a dance, one a pose.
+struct DanceKeys {
+    std::vector<JointKeys> joints;           ///< by joint
+    std::vector<std::vector<float>> morphs;  ///< weights as render::FaceState has them
+};
+
+DanceKeys keys_of(const render::Avatar& avatar,
+                  std::span<const motion::Pose> poses,
+                  std::span<const render::Face> faces,
+                  double rate) {
     constexpr float kOwnBody = 1.0F;  // the pose is on this body already
     const motion::Skeleton& made_for = motion::mannequin_skeleton();
     const auto pose_at = [&](StreamTime time) {
@@ -41,15 +48,18 @@ std::vector<JointKeys> keys_of(const render::Avatar& avatar,
             motion::pose_between(poses, to_seconds(time) * rate), made_for, avatar);
     };
     render::RigState state(*avatar.rig);
-    std::vector<JointKeys> keys(avatar.rig->tree.joints.size());
+    DanceKeys made;
+    made.joints.resize(avatar.rig->tree.joints.size());
+    std::vector<JointKeys>& keys = made.joints;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const StreamTime time = stream_time_from_seconds(static_cast<double>(i) / rate);
         render::advance(*avatar.rig, time, kOwnBody, pose_at, state);
         render::pose_avatar(*avatar.rig,
                             render::retargeted(poses[i], made_for, avatar),
-                            render::Face{},
+                            i < faces.size() ? faces[i] : render::Face{},
                             kOwnBody,
                             state);
+        made.morphs.push_back(state.face.morphs);
         for (std::size_t joint = 0; joint < keys.size(); ++joint) {
             keys[joint].translations.push_back(state.joints.translations[joint]);
             // The nearer of the two that mean the same: players interpolate number by number.
@@ -58,7 +68,26 @@ std::vector<JointKeys> keys_of(const render::Avatar& avatar,
             turns.push_back(!turns.empty() && glm::dot(turns.back(), turn) < 0.0F ? -turn : turn);
         }
     }
-    return keys;
+    return made;
+}
+
+/// The channel of a node's morph targets; none where the dance leaves them as they are.
+std::optional<AnimationChannel> morph_channel(int node,
+                                              const render::MorphRange& range,
+                                              const std::vector<float>& times,
+                                              const std::vector<std::vector<float>>& morphs) {
+    AnimationChannel channel{
+        .node = node, .path = ChannelPath::weights, .times = times, .values = {}};
+    const auto first = static_cast<std::ptrdiff_t>(range.first);
+    const auto end = static_cast<std::ptrdiff_t>(range.first + range.count);
+    bool moves = false;
+    for (const std::vector<float>& weights : morphs) {
+        channel.values.insert(channel.values.end(), weights.begin() + first, weights.begin() + end);
+        moves = moves ||
+                !std::equal(
+                    weights.begin() + first, weights.begin() + end, morphs.front().begin() + first);
+    }
+    return moves ? std::optional(std::move(channel)) : std::nullopt;
 }
 
 /// A channel with these values; of one key where none differs from the first.
@@ -94,11 +123,13 @@ motion::Skeleton dance_body_of(const render::Model& model) {
 
 void put_dance(render::Model& model,
                std::span<const motion::Pose> poses,
+               std::span<const render::Face> faces,
                double rate,
                const std::string& name,
                const std::string& sound) {
     const render::Avatar avatar = figure_of(model);
-    const std::vector<JointKeys> keys = keys_of(avatar, poses, rate);
+    const DanceKeys made = keys_of(avatar, poses, faces, rate);
+    const std::vector<JointKeys>& keys = made.joints;
     std::vector<float> times(poses.size());
     for (std::size_t i = 0; i < times.size(); ++i) {
         times[i] = static_cast<float>(static_cast<double>(i) / rate);
@@ -114,6 +145,12 @@ void put_dance(render::Model& model,
         if (leaves(rest.rotation, keys[joint].rotations)) {
             clip.channels.push_back(
                 channel_of(node, ChannelPath::rotation, times, keys[joint].rotations));
+        }
+    }
+    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+        const auto range = avatar.rig->expressions.morphs_of(static_cast<int>(node));
+        if (auto channel = morph_channel(static_cast<int>(node), range, times, made.morphs)) {
+            clip.channels.push_back(std::move(*channel));
         }
     }
     model.animations.clear();

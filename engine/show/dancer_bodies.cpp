@@ -130,6 +130,33 @@ std::span<const render::Dancer> DancerBodies::at(const DancedMoment& danced,
     return dancers_;
 }
 
+/// Whether a hand of a couple's dancer came to one of the other's within the last moments.
+bool DancerBodies::have_hands_met(std::size_t dancer, StreamTime moment) noexcept {
+    if (!is_couple_) {
+        return false;
+    }
+    constexpr float kMeet = 0.14F;  // metres
+    constexpr float kPart = 0.20F;
+    constexpr double kLooked = 1.2;  // seconds
+    const auto world_of = [&](std::size_t one) {
+        return motion::world_pose(worn_by(one).avatar->skeleton, dancers_[one].pose);
+    };
+    const motion::WorldPose own = world_of(dancer);
+    const motion::WorldPose other = world_of(1 - dancer);
+    float nearest = 10.0F;
+    for (const motion::Bone mine : {motion::Bone::left_hand, motion::Bone::right_hand}) {
+        for (const motion::Bone theirs : {motion::Bone::left_hand, motion::Bone::right_hand}) {
+            nearest = std::min(nearest, glm::distance(own.position(mine), other.position(theirs)));
+        }
+    }
+    Body& body = *bodies_[dancer];
+    if (!body.has_hands && nearest < kMeet) {
+        body.hands_met = moment;
+    }
+    body.has_hands = nearest < (body.has_hands ? kPart : kMeet);
+    return body.hands_met && to_seconds(moment - *body.hands_met) < kLooked;
+}
+
 void DancerBodies::move(std::size_t dancer,
                         const DancedMoment& danced,
                         const MusicState& music,
@@ -141,11 +168,14 @@ void DancerBodies::move(std::size_t dancer,
         .time = danced.moment,
         .level_dbfs = music.level_dbfs,
         .loudness_lufs = music.loudness_lufs,
-        // A couple's two look at each other, all others at who watches.
-        .gaze_target =
-            is_couple_ ? head_place(avatar.skeleton, dancers_[1 - dancer].pose) : camera.position(),
+        .gaze_target = camera.position(),
         .head = danced.face ? HeadTurn{}
-                            : head_turn_at(danced.tracks[dancer], danced.moment + danced.lead)};
+                            : head_turn_at(danced.tracks[dancer], danced.moment + danced.lead),
+        .feeling = danced.tracks[dancer].feeling_at(danced.moment + danced.lead),
+        .partner = is_couple_ ? std::optional(head_place(worn_by(1 - dancer).avatar->skeleton,
+                                                         dancers_[1 - dancer].pose))
+                              : std::nullopt,
+        .has_met = have_hands_met(dancer, danced.moment)};
     constexpr float kOwnBody = 1.0F;  // the pose is on this body already
     render::advance(
         *avatar.rig,

@@ -83,12 +83,15 @@ class DancerBodies {
     struct Body {
         render::RigState state;
         DancerFace face;
+        std::optional<StreamTime> hands_met{};  // of a couple
+        bool has_hands = false;                 // they hold now
     };
     [[nodiscard]] const Worn& worn_by(std::size_t dancer) const noexcept;
     [[nodiscard]] motion::Pose worn_pose(std::size_t dancer,
                                          const motion::Pose& danced,
                                          glm::vec2 place) const noexcept;
     void make_bodies(const DancedMoment& danced);
+    [[nodiscard]] bool have_hands_met(std::size_t dancer, StreamTime moment) noexcept;
     void move(std::size_t dancer,
               const DancedMoment& danced,
               const MusicState& music,

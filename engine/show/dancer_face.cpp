@@ -1,7 +1,9 @@
 #include "engine/show/dancer_face.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/random.hpp"
 #include "base/smooth_steps.hpp"
@@ -28,6 +30,19 @@ constexpr float kMouthOpen = 8.0F;     // dB
 constexpr float kWidestMouth = 0.5F;
 constexpr float kQuietest = -60.0F;  // LUFS; below it there is no music
 constexpr double kMouthTime = 0.06;  // s; the mouth's own slowness
+
+// Sizes of feelings by the setting face_mood.
+constexpr std::array<std::pair<std::string_view, float>, 4> kMoodSizes = {
+    {{"off", 0.0F}, {"calm", 0.6F}, {"normal", 1.0F}, {"stage", 1.4F}}};
+// The mouth of who smiles or shows teeth sings less.
+constexpr float kMouthOfFeeling = 0.7F;
+constexpr float kTeethShape = 0.75F;  // of the vowel that shows them
+
+// Who looks past the audience looks this far aside, at that much height over its eyes.
+constexpr float kPastAside = 0.45F;  // of the distance
+constexpr float kPastUp = 0.12F;
+constexpr double kPastSeconds = 3.1;      // of one such look
+constexpr std::uint64_t kPastStream = 3;  // random numbers
 
 // Cosine of the angle between the face and what it looks at: from here on the eyes do not reach it.
 constexpr float kGazeLost = 0.26F;  // 75 degrees
@@ -81,12 +96,14 @@ bool turns_far(const motion::PoseTrack& track, HopIndex hop) noexcept {
 
 // What the eyes look at: what they shall, or, as far as the head turns elsewhere, what that will
 // face.
-glm::vec3 gaze_target(const FaceMoment& moment, const glm::vec3& head) noexcept {
-    const glm::vec3 towards = moment.gaze_target - head;
+glm::vec3 gaze_target(const FaceMoment& moment,
+                      const glm::vec3& wanted,
+                      const glm::vec3& head) noexcept {
+    const glm::vec3 towards = wanted - head;
     const float distance = glm::length(towards);
     const float soon = glm::length(moment.head.soon);
     if (!(distance > 0.0F) || !(soon > 0.0F)) {
-        return moment.gaze_target;
+        return wanted;
     }
     const float along = glm::dot(towards, moment.head.soon) / (distance * soon);
     const float stays = smoothstep(kGoesWithHead, kStaysOnTarget, along);
@@ -105,6 +122,12 @@ float facing(const motion::WorldPose& world, const glm::vec3& target) noexcept {
 }
 
 }  // namespace
+
+float mood_size(std::string_view mood) noexcept {
+    const auto* const found = std::find_if(
+        kMoodSizes.begin(), kMoodSizes.end(), [&](const auto& one) { return one.first == mood; });
+    return found != kMoodSizes.end() ? found->second : 1.0F;
+}
 
 float blink_at(StreamTime time, std::uint64_t seed) noexcept {
     const std::int64_t ns = std::max<std::int64_t>(time.time_since_epoch().count(), 0);
@@ -155,6 +178,43 @@ float DancerFace::mouth_at(const FaceMoment& moment) noexcept {
     return mouth_;
 }
 
+void DancerFace::show_feeling(const motion::Feeling& feeling, render::Face& face) const noexcept {
+    using render::FaceExpression;
+    constexpr std::array kShown = {FaceExpression::happy,
+                                   FaceExpression::angry,
+                                   FaceExpression::sad,
+                                   FaceExpression::relaxed,
+                                   FaceExpression::surprised};
+    static_assert(kShown.size() == motion::kEmotionCount);
+    for (std::size_t i = 0; i < kShown.size(); ++i) {
+        face.weight(kShown[i]) = std::min(1.0F, habits_.mood * feeling.emotions[i]);
+    }
+    const float teeth = std::min(1.0F, habits_.mood * feeling.teeth);
+    face.weight(FaceExpression::aa) *= 1.0F - kMouthOfFeeling * teeth;
+    face.weight(FaceExpression::ee) = kTeethShape * teeth;
+    const float brows = std::clamp(habits_.mood * feeling.brows, -1.0F, 1.0F);
+    face.weight(FaceExpression::brow_up_left) = std::max(brows, 0.0F);
+    face.weight(FaceExpression::brow_up_right) = std::max(-brows, 0.0F);
+}
+
+/// What the eyes shall look at.
+glm::vec3 DancerFace::wanted_gaze(const FaceMoment& moment, const glm::vec3& head) const noexcept {
+    // Without feelings as without moods: at who watches, or at the partner.
+    const bool feels = habits_.mood > 0.0F && moment.feeling != motion::Feeling();
+    const float audience = feels ? moment.feeling.audience : 1.0F;
+    if (moment.partner) {
+        const float away = feels && !moment.has_met ? audience : 0.0F;
+        return glm::mix(*moment.partner, moment.gaze_target, away);
+    }
+    const glm::vec3 towards = moment.gaze_target - head;
+    const double seconds = std::max(0.0, to_seconds(moment.time.time_since_epoch()));
+    const auto look = static_cast<std::uint64_t>(seconds / kPastSeconds);
+    const float side = CounterRandom(seed_, kPastStream).uniform(look) < 0.5 ? -1.0F : 1.0F;
+    const glm::vec3 aside = glm::vec3(towards.z, 0.0F, -towards.x) * (side * kPastAside);
+    const glm::vec3 up(0.0F, kPastUp * glm::length(towards), 0.0F);
+    return moment.gaze_target + (1.0F - audience) * (aside + up);
+}
+
 render::Face DancerFace::face_at(const FaceMoment& moment,
                                  const motion::Skeleton& skeleton,
                                  const motion::Pose& pose) noexcept {
@@ -167,9 +227,11 @@ render::Face DancerFace::face_at(const FaceMoment& moment,
     if (habits_.moves_mouth) {
         face.weight(render::FaceExpression::aa) = mouth;
     }
+    show_feeling(moment.feeling, face);
     if (habits_.gazes) {
         const motion::WorldPose world = motion::world_pose(skeleton, pose);
-        face.gaze_target = gaze_target(moment, world.position(motion::Bone::head));
+        const glm::vec3 head = world.position(motion::Bone::head);
+        face.gaze_target = gaze_target(moment, wanted_gaze(moment, head), head);
         face.gaze = smoothstep(kGazeLost, kGazeFull, facing(world, face.gaze_target));
     }
     return face;

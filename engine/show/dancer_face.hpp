@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "base/time.hpp"
+#include "motion/skeleton/feeling.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/pose_track.hpp"
 #include "motion/skeleton/skeleton.hpp"
@@ -17,7 +19,11 @@ struct FaceHabits {
     bool blinks = true;
     bool moves_mouth = true;  ///< by the music's level
     bool gazes = true;        ///< to the camera or the partner
+    float mood = 1.0F;        ///< how much feelings show (mood_size); 0: not at all
 };
+
+/// How much feelings show by the setting face_mood: "off" 0, "calm", "normal" 1, "stage". Pure.
+[[nodiscard]] float mood_size(std::string_view mood) noexcept;
 
 /// What the head does around a moment.
 struct HeadTurn {
@@ -27,11 +33,14 @@ struct HeadTurn {
 
 /// What a face is made from.
 struct FaceMoment {
-    StreamTime time{};              ///< that is seen and heard
-    float level_dbfs = -120.0F;     ///< of the music now (MusicState)
-    float loudness_lufs = -120.0F;  ///< of the music of late (MusicState)
-    glm::vec3 gaze_target{0.0F};    ///< the camera, or the partner's head (head_place); metres
-    HeadTurn head{};                ///< none: the head keeps still
+    StreamTime time{};                   ///< that is seen and heard
+    float level_dbfs = -120.0F;          ///< of the music now (MusicState)
+    float loudness_lufs = -120.0F;       ///< of the music of late (MusicState)
+    glm::vec3 gaze_target{0.0F};         ///< the camera, or the partner's head (head_place); metres
+    HeadTurn head{};                     ///< none: the head keeps still
+    motion::Feeling feeling{};           ///< of the dancer (motion::PoseTrack::feeling_at)
+    std::optional<glm::vec3> partner{};  ///< of a couple: the partner's head; metres
+    bool has_met = false;                ///< hands of the couple have just met
 };
 
 /// How far both eyelids are closed at a moment, 0..1. Blinks are 2 to 6 s apart and keep the eyes
@@ -59,13 +68,17 @@ class DancerFace {
 
     /// The face at a moment. `pose`: the dancer's. The eyes follow a target before them and go
     /// ahead of a head that turns elsewhere; they rest where what they look at is beside or behind
-    /// the head.
+    /// the head. A couple's two look at each other, but where their feeling is for the audience and
+    /// their hands have not just met; others look past the audience where it is not.
     [[nodiscard]] render::Face face_at(const FaceMoment& moment,
                                        const motion::Skeleton& skeleton,
                                        const motion::Pose& pose) noexcept;
 
  private:
     float mouth_at(const FaceMoment& moment) noexcept;
+    void show_feeling(const motion::Feeling& feeling, render::Face& face) const noexcept;
+    [[nodiscard]] glm::vec3 wanted_gaze(const FaceMoment& moment,
+                                        const glm::vec3& head) const noexcept;
 
     std::uint64_t seed_;
     FaceHabits habits_;

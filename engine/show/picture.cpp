@@ -17,6 +17,13 @@ constexpr float kWideFormation = 1.35F;
 
 }  // namespace
 
+FaceHabits face_habits(const Settings& settings) noexcept {
+    return {.blinks = settings.face_blink,
+            .moves_mouth = settings.face_mouth,
+            .gazes = settings.face_gaze,
+            .mood = mood_size(settings.face_mood)};
+}
+
 Expected<Look> read_look(const Settings& settings) {
     Look look;
     const auto theme = render::find_theme(settings.theme);
@@ -44,9 +51,7 @@ Expected<Look> read_look(const Settings& settings) {
         return fail(size.error());
     }
     look.size = *size;
-    look.face = {.blinks = settings.face_blink,
-                 .moves_mouth = settings.face_mouth,
-                 .gazes = settings.face_gaze};
+    look.face = face_habits(settings);
     // "auto" shows figures that were learnt as joint positions as sticks.
     const bool is_stick =
         settings.view == "stick" || (settings.view == "auto" && settings.figures == "positions");

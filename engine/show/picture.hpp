@@ -27,6 +27,9 @@ struct Look {
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
 };
 
+/// What the settings say of faces. Pure.
+[[nodiscard]] FaceHabits face_habits(const Settings& settings) noexcept;
+
 /// Resolves the settings, but for the avatar. `settings`: valid. Errors: an unknown theme or
 /// backdrop, a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);

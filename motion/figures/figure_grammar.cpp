@@ -90,6 +90,7 @@ class GrammarReader {
                                   "rests",
                                   "rest_at",
                                   "mirror",
+                                  "mood",
                                   "lead",
                                   "follow",
                                   "couple",

@@ -7,12 +7,15 @@
 
 namespace raks::motion {
 
-void PoseTrack::append_final(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING {
+void PoseTrack::append_final(HopIndex hop,
+                             const Pose& pose,
+                             const Feeling& feeling) noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(hop >= 0 && (is_empty() || hop == newest_final_ + 1));
     if (is_empty()) {
         first_ = hop;
     }
     poses_[static_cast<std::size_t>(hop) % kSlots] = pose;
+    feelings_[static_cast<std::size_t>(hop) % kFinalPoses] = feeling;
     newest_final_ = hop;
     predicted_ = 0;
 }
@@ -51,6 +54,21 @@ Pose PoseTrack::at(StreamTime time) const noexcept {
     const float t =
         static_cast<float>((past_oldest % kHop).count()) / static_cast<float>(kHop.count());
     return hop >= newest() ? at_hop(hop) : interpolate(at_hop(hop), at_hop(hop + 1), t);
+}
+
+Feeling PoseTrack::feeling_at(StreamTime time) const noexcept {
+    if (is_empty()) {
+        return {};
+    }
+    const auto of_hop = [this](HopIndex hop) {
+        const HopIndex inside = std::clamp(hop, oldest_final(), newest_final_);
+        return feelings_[static_cast<std::size_t>(inside) % kFinalPoses];
+    };
+    const Nanos past_oldest = std::max(time - time_of_hop(oldest_final()), Nanos(0));
+    const HopIndex hop = oldest_final() + past_oldest / kHop;
+    const float t =
+        static_cast<float>((past_oldest % kHop).count()) / static_cast<float>(kHop.count());
+    return interpolate(of_hop(hop), of_hop(hop + 1), t);
 }
 
 }  // namespace raks::motion

@@ -6,6 +6,7 @@
 
 #include "base/realtime.hpp"
 #include "base/time.hpp"
+#include "motion/skeleton/feeling.hpp"
 #include "motion/skeleton/pose.hpp"
 
 namespace raks::motion {
@@ -28,8 +29,10 @@ class PoseTrack {
     }
 
     /// Appends the final pose of the hop after the newest one (or of any hop when empty) and drops
-    /// all predicted ones. Real-time: yes.
-    void append_final(HopIndex hop, const Pose& pose) noexcept RAKS_NONBLOCKING;
+    /// all predicted ones. `feeling`: of the dancer at that hop. Real-time: yes.
+    void append_final(HopIndex hop,
+                      const Pose& pose,
+                      const Feeling& feeling = {}) noexcept RAKS_NONBLOCKING;
 
     /// Sets the predicted pose of hop newest_final() + ahead, ahead = 1..kPredictedPoses, in
     /// order. Real-time: yes.
@@ -53,11 +56,16 @@ class PoseTrack {
     /// The pose at a moment, interpolated between two hops; clamped to the track's ends.
     [[nodiscard]] Pose at(StreamTime time) const noexcept;
 
+    /// The feeling at a moment, interpolated between two hops; beyond the newest final pose that of
+    /// the newest one. None when empty.
+    [[nodiscard]] Feeling feeling_at(StreamTime time) const noexcept;
+
  private:
     static constexpr std::size_t kSlots = kFinalPoses + kPredictedPoses;
 
-    std::array<Pose, kSlots> poses_{};  // pose of hop h in slot h % kSlots
-    HopIndex first_ = 0;                // first hop since clear()
+    std::array<Pose, kSlots> poses_{};             // pose of hop h in slot h % kSlots
+    std::array<Feeling, kFinalPoses> feelings_{};  // of hop h in slot h % kFinalPoses
+    HopIndex first_ = 0;                           // first hop since clear()
     HopIndex newest_final_ = -1;
     int predicted_ = 0;
 };

@@ -53,6 +53,7 @@ ExpressionRig ExpressionRig::build(const Model& model) {
     for (std::size_t i = 0; i < kFaceExpressionCount; ++i) {
         rig.presets_[i] = rig.find(kFaceExpressionNames[i]);
     }
+    rig.find_stand_ins();
     // What an expression sets is 0 without it, also where the mesh says otherwise at rest.
     for (const std::size_t slot : rig.bound_) {
         rig.rest_.morphs[slot] = 0.0F;
@@ -87,6 +88,9 @@ ExpressionRig::Group ExpressionRig::group_of(const Expression& expression) noexc
         return Group::none;
     }
     const auto preset = static_cast<FaceExpression>(found - kFaceExpressionNames.begin());
+    if (preset > FaceExpression::look_right) {
+        return Group::none;
+    }
     if (preset >= FaceExpression::look_up) {
         return Group::look_at;
     }
@@ -156,12 +160,39 @@ int ExpressionRig::find(std::string_view name) const noexcept {
     return -1;
 }
 
+/// What a figure lacks another expression stands for, less of it.
+void ExpressionRig::find_stand_ins() {
+    using E = FaceExpression;
+    struct Choice {
+        E lacking;
+        E shown;
+        float share;
+    };
+    constexpr std::array<Choice, 4> kChoices = {{{E::surprised, E::oh, 0.5F},
+                                                 {E::surprised, E::aa, 0.4F},
+                                                 {E::relaxed, E::happy, 0.45F},
+                                                 {E::happy, E::relaxed, 1.0F}}};
+    std::array<bool, kFaceExpressionCount> has_one{};
+    for (const Choice& one : kChoices) {
+        const auto lacking = static_cast<std::size_t>(one.lacking);
+        const int shown = presets_[static_cast<std::size_t>(one.shown)];
+        if (presets_[lacking] < 0 && shown >= 0 && !has_one[lacking]) {
+            has_one[lacking] = true;
+            stand_ins_.push_back({lacking, static_cast<std::size_t>(shown), one.share});
+        }
+    }
+}
+
 void ExpressionRig::spread(const Face& face, std::span<float> weights) const noexcept {
     std::fill(weights.begin(), weights.end(), 0.0F);
     for (std::size_t i = 0; i < kFaceExpressionCount; ++i) {
         if (presets_[i] >= 0) {
             weights[static_cast<std::size_t>(presets_[i])] = face.weights[i];
         }
+    }
+    for (const StandIn& one : stand_ins_) {
+        weights[one.shown] =
+            std::min(1.0F, weights[one.shown] + one.share * face.weights[one.lacking]);
     }
 }
 

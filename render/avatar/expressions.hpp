@@ -71,6 +71,7 @@ class ExpressionRig {
     }
 
     /// Puts the weights of a face into `weights`, by expression of the model; its own others are 0.
+    /// Of a model that lacks surprised, relaxed or happy another expression shows some of it.
     /// Threads: any. Real-time: yes.
     void spread(const Face& face, std::span<float> weights) const noexcept;
 
@@ -97,6 +98,11 @@ class ExpressionRig {
         glm::vec2 scale{1.0F};
         glm::vec2 offset{0.0F};
     };
+    struct StandIn {
+        std::size_t lacking = 0;  // FaceExpression
+        std::size_t shown = 0;    // in expressions_
+        float share = 1.0F;
+    };
     struct Built {
         std::string name;
         Group group = Group::none;
@@ -111,6 +117,7 @@ class ExpressionRig {
     void add_morphs(const Model& model, const ModelNode& node);
     void add(const Model& model, const Expression& expression);
     void add_morph_binds(const Expression& expression, Built& built);
+    void find_stand_ins();
     std::size_t material_face(const Model& model, int material);
     void weigh(std::span<const float> weights, std::span<float> out) const noexcept;
     void add_binds(const Built& expression, float weight, FaceState& state) const noexcept;
@@ -119,7 +126,8 @@ class ExpressionRig {
     std::vector<MorphRange> ranges_;                   // by node
     std::vector<std::size_t> bound_;                   // morphs that expressions set
     std::array<int, kFaceExpressionCount> presets_{};  // expression; -1: none
-    std::vector<int> face_of_material_;                // in rest_.materials; -1: none
+    std::vector<StandIn> stand_ins_;
+    std::vector<int> face_of_material_;  // in rest_.materials; -1: none
     FaceState rest_;
 };
 

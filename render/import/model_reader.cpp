@@ -9,6 +9,7 @@
 
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "render/import/face_morphs.hpp"
 #include "render/import/foreign_model.hpp"
 #include "render/import/gltf_reader.hpp"
 #include "render/import/tds_reader.hpp"
@@ -96,6 +97,9 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
     auto model = format->read(bytes, side);
     if (model) {
         model->name = printable(std::filesystem::path(name).stem().string(), 100);
+        if (!model->animated_face.is_vrma) {
+            add_face_morphs(*model);
+        }
     }
     return model;
 }

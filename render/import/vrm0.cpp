@@ -42,18 +42,31 @@ constexpr std::array<PresetName, 17> kBlendShapePresets = {{
     {"lookright", "lookRight"},
 }};
 
-/// The VRM 1.0 name of a preset; empty: it is the maker's own.
-std::string_view preset_in_vrm1(std::string_view preset) {
-    std::string lower(preset.substr(0, 20));
+/// The first letters of a name in lower case.
+std::string lower_case(std::string_view name) {
+    std::string lower(name.substr(0, 20));
     std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
         return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     });
+    return lower;
+}
+
+/// The VRM 1.0 name of a preset; empty: it is the maker's own.
+std::string_view preset_in_vrm1(std::string_view preset) {
+    const std::string lower = lower_case(preset);
     for (const PresetName& name : kBlendShapePresets) {
         if (name.vrm0 == lower) {
             return name.vrm1;
         }
     }
     return {};
+}
+
+/// The same of a group. VRM 0.x has no preset for surprise: makers call their own so.
+std::string_view preset_of(const JsonField& group) {
+    const std::string_view preset = preset_in_vrm1(group["presetName"].text_or({}));
+    return preset.empty() && lower_case(group["name"].text_or({})) == "surprised" ? "surprised"
+                                                                                  : preset;
 }
 
 /// Where to find what binds name: looked up once, as a file may hold many binds.
@@ -186,7 +199,7 @@ void read_group(const JsonField& group,
                 const BindTargets& targets,
                 Expression& expression,
                 Model& model) {
-    const std::string_view preset = preset_in_vrm1(group["presetName"].text_or({}));
+    const std::string_view preset = preset_of(group);
     expression.is_preset = !preset.empty();
     expression.name = printable(preset.empty() ? group["name"].text() : preset, 100);
     expression.is_binary = lenient_truth(group["isBinary"], false, model);

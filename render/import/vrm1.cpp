@@ -17,11 +17,6 @@ namespace {
 constexpr NumberLimits kBindColour{0.0F, 1000.0F, 1.0F};
 constexpr NumberLimits kUv{-10'000.0F, 10'000.0F, 0.0F};
 
-bool is_preset_name(std::string_view name) {
-    return std::find(kFaceExpressionNames.begin(), kFaceExpressionNames.end(), name) !=
-           kFaceExpressionNames.end();
-}
-
 // ---- Expressions
 
 MorphBind read_morph_bind(const JsonField& bind, Model& model) {
@@ -106,12 +101,12 @@ void read_expressions(const JsonField& group, bool is_preset, Model& model) {
                 warn(model, own.line("holds too many expressions; the rest is left out"));
                 return;
             }
-            if (is_preset && !is_preset_name(name)) {
+            if (is_preset && !is_preset_expression(name)) {
                 warn(model,
                      from.line("is not an expression that VRM names; taken as one of its maker"));
             }
             all.push_back(read_expression(name, from, model));
-            all.back().is_preset = is_preset && is_preset_name(name);
+            all.back().is_preset = is_preset && is_preset_expression(name);
         }
     });
     static_cast<void>(is_object);  // said in a warning; what was read until then stays

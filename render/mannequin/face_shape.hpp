@@ -15,9 +15,10 @@ struct FaceShape {
     float gaze_up = 0.0F;
     float brow_inner = 0.0F;  ///< rise of the brows' inner ends
     float brow_outer = 0.0F;
-    float mouth_open = 0.0F;   ///< height of the opening
-    float mouth_wider = 0.0F;  ///< of half its width
-    float corners_up = 0.0F;   ///< of the mouth
+    std::array<float, 2> brow_up{};  ///< left, right: rise of that brow alone
+    float mouth_open = 0.0F;         ///< height of the opening
+    float mouth_wider = 0.0F;        ///< of half its width
+    float corners_up = 0.0F;         ///< of the mouth
 };
 
 /// The shape of an expression at weight 1. Pure.

@@ -17,7 +17,7 @@ namespace {
 // All lengths in metres, of the left half: x to the figure's left.
 constexpr float kEyeX = 0.0335F;
 constexpr float kEyeHalfWidth = 0.0188F;
-constexpr float kOpenAbove = 0.0098F;  // from the eye's middle to the lids
+constexpr float kOpenAbove = 0.0104F;  // from the eye's middle to the lids
 constexpr float kOpenBelow = 0.0070F;
 constexpr float kOuterCornerUp = 0.0018F;
 constexpr float kIris = 0.0091F;
@@ -25,6 +25,7 @@ constexpr float kMouthY = 1.5395F;
 constexpr float kMouthHalfWidth = 0.0228F;
 constexpr float kMouthGap = 0.0008F;  // of closed lips: the dark line between them
 constexpr float kTeeth = 0.0042F;
+constexpr float kCornersUp = 0.0050F;  // of the mouth at rest: seen from afar a straight one sulks
 
 /// What of a face is the build's.
 struct FaceLook {
@@ -39,11 +40,11 @@ FaceLook look_of(MannequinBuild build) noexcept {
     if (build == MannequinBuild::follow) {
         return {};
     }
-    return {.brow = 1.55F,
-            .brow_low = 0.0035F,
+    return {.brow = 1.40F,
+            .brow_low = 0.0014F,
             .lips = 0.72F,
             .lashes = 0.45F,
-            .eye_height = 0.86F,
+            .eye_height = 0.92F,
             .lip_tint = {0.86F, 0.98F, 0.95F}};
 }
 
@@ -221,19 +222,21 @@ Sheet lashes(const FaceShape& shape, std::size_t side, const FaceLook& look) {
     return sheet;
 }
 
-Sheet brow(const FaceShape& shape, const FaceLook& look) {
+Sheet brow(const FaceShape& shape, std::size_t side, const FaceLook& look) {
     constexpr std::uint32_t kColumns = 10;
     Sheet sheet{.rows = 3, .columns = kColumns, .points = {}};
     for (std::uint32_t row = 0; row < 3; ++row) {
         const float across = 1.0F - static_cast<float>(row);
         for (std::uint32_t column = 0; column < kColumns; ++column) {
             const float s = 0.5F + 0.5F * along(column, kColumns);  // 0 inner, 1 outer
-            const float arc = 0.0056F * std::sin(glm::radians(150.0F) * s) - 0.0010F * s;
+            // Inner ends hang no lower than outer ones: lower, they frown.
+            const float arc = 0.0052F * std::sin(glm::radians(150.0F) * s) + 0.0022F * (1.0F - s);
             const float thick = look.brow * 0.0026F * (1.0F - 0.75F * smoothstep(0.35F, 1.0F, s)) *
                                 smoothstep(-0.25F, 0.12F, s);
-            const float rise = shape.brow_inner + (shape.brow_outer - shape.brow_inner) * s;
+            const float alone = shape.brow_up[side] * (0.35F + std::sin(glm::radians(150.0F) * s));
+            const float rise = shape.brow_inner + (shape.brow_outer - shape.brow_inner) * s + alone;
             sheet.points.push_back({.x = 0.0130F + 0.0420F * s,
-                                    .y = 1.6135F - look.brow_low + arc + rise + across * thick,
+                                    .y = 1.6146F - look.brow_low + arc + rise + across * thick,
                                     .off = row == 1 ? 0.0016F : 0.0002F,
                                     .paint = Paint::hair,
                                     .tint = glm::vec3(0.85F)});
@@ -253,7 +256,8 @@ class MouthLines {
 
     [[nodiscard]] float x(float u) const noexcept { return half_width_ * u; }
     [[nodiscard]] float middle(float u) const noexcept {
-        return kMouthY + (0.0026F + corners_up_) * u * u - 0.0006F * (1.0F - u * u) - 0.12F * open_;
+        return kMouthY + (kCornersUp + corners_up_) * u * u - 0.0006F * (1.0F - u * u) -
+               0.12F * open_;
     }
     [[nodiscard]] float inner_top(float u) const noexcept {
         return middle(u) + (0.5F * kMouthGap + 0.20F * open_) * arch(u, 0.5F);
@@ -360,7 +364,7 @@ std::vector<Sheet> face_sheets(const FaceShape& shape, MannequinBuild build) {
                             upper_lid(own, side, look),
                             lower_lid(own, side, look),
                             lashes(own, side, look),
-                            brow(own, look)}) {
+                            brow(own, side, look)}) {
             sheet.is_right = side == 1;
             sheets.push_back(std::move(sheet));
         }

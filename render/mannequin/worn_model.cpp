@@ -120,7 +120,7 @@ class WornModel {
     void add_expressions(int face) {
         for (std::size_t i = 0; i < kFaceExpressionCount; ++i) {
             Expression expression{.name = std::string(kFaceExpressionNames[i]),
-                                  .is_preset = true,
+                                  .is_preset = i < kPresetExpressionCount,
                                   .morphs = {},
                                   .colours = {},
                                   .textures = {}};

@@ -21,6 +21,12 @@ constexpr float kSurelySeen = 1.1F;    // radians aside of the trunk's heading t
 constexpr float kNeverSeen = 2.2F;     // beyond it nothing is looked at
 constexpr float kFarthestTurn = 0.9F;  // radians that neck and head turn at most
 constexpr float kFarthestTilt = 0.35F;
+// A head that looks farther down than this, for so long, is lifted; radians, seconds.
+constexpr float kHangs = 0.52F;
+constexpr float kMayHang = 0.12F;
+constexpr float kLiftedTo = 0.40F;
+constexpr float kFarthestLift = 0.60F;
+constexpr float kLiftTime = 0.08F;    // of each stage of its filter
 constexpr float kWaitsAside = 0.75F;  // radians to the sides, of who looks around
 
 // A hand is worth a look from this speed on, where it is this far over the shoulders; metres.
@@ -57,6 +63,20 @@ float rise(const glm::vec3& towards) noexcept {
     return std::atan2(towards.y, std::hypot(towards.x, towards.z));
 }
 
+/// Raises the head about the axis through the ears, half by the neck; turns it about the upright
+/// axis.
+void turn_head(const WorldPose& world, float turn, float lift, Pose& pose) noexcept {
+    const float faces = heading_of_bone(world, Bone::head) + turn;
+    const glm::vec3 ears = {std::cos(faces), 0.0F, -std::sin(faces)};
+    const glm::quat nod = glm::angleAxis(-0.5F * lift, ears) * turn_about_up(0.5F * turn);
+    for (const Bone bone : {Bone::neck, Bone::head}) {
+        const glm::quat parent =
+            bone == Bone::neck ? world.rotation(Bone::upper_chest) : world.rotation(Bone::neck);
+        const glm::quat own = glm::conjugate(parent) * nod * parent;
+        pose.rotation(bone) = glm::normalize(own * pose.rotation(bone));
+    }
+}
+
 template <typename Value>
 void follow(const Value& target, float seconds, Value& value) noexcept {
     value += (kHop_s / seconds) * (target - value);
@@ -67,6 +87,7 @@ void follow(const Value& target, float seconds, Value& value) noexcept {
 /// Speeds of hands and hips, and how high the hands are, as averages over the last half second.
 void Looks::see(const Skeleton& skeleton, const Pose& shown) noexcept {
     const WorldPose world = world_body(skeleton, shown);
+    see_feet(world);
     const glm::vec3 head = world.position(Bone::head);
     const auto speed = [](const glm::vec3& way) {
         const float length = glm::length(way);
@@ -89,6 +110,15 @@ void Looks::see(const Skeleton& skeleton, const Pose& shown) noexcept {
     }
     sights_.hips = shown.hips_position;
     sights_.is_known = true;
+}
+
+/// Notes for how long the head would hang, and how much it is to be lifted then.
+void Looks::see_feet(const WorldPose& world) noexcept {
+    const glm::vec3 ahead = world.rotation(Bone::head) * glm::vec3(0.0F, 0.0F, 1.0F);
+    const float own = rise(ahead) - lifts_.back();
+    seconds_down_ = own < -kHangs ? seconds_down_ + kHop_s : 0.0F;
+    wanted_lift_ =
+        seconds_down_ > kMayHang ? std::clamp(-kLiftedTo - own, 0.0F, kFarthestLift) : 0.0F;
 }
 
 Looks::Aim Looks::aim_at(std::uint64_t cell, std::uint64_t seed, LookFor what) const noexcept {
@@ -141,6 +171,14 @@ void Looks::go_on() noexcept RAKS_NONBLOCKING {
         follow(input->tilt, kHeadTime, stage.tilt);
         input = &stage;
     }
+    follow(wanted_lift_, kLiftTime, lifts_[0]);
+    follow(lifts_[0], kLiftTime, lifts_[1]);
+}
+
+void Looks::lift_head(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONBLOCKING {
+    if (lifts_.back() > 0.0F) {
+        turn_head(world_body(skeleton, pose), 0.0F, lifts_.back(), pose);
+    }
 }
 
 void Looks::apply(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONBLOCKING {
@@ -154,17 +192,7 @@ void Looks::apply(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONB
     const glm::vec3 ahead = world.rotation(Bone::head) * glm::vec3(0.0F, 0.0F, 1.0F);
     const float lift = aim.tilt * seen *
                        std::clamp(rise(aim.towards) - rise(ahead), -kFarthestTilt, kFarthestTilt);
-    // Half by the neck, half by the head: about the upright axis of the world, and about the axis
-    // through the ears, that is level.
-    const float faces = heading_of_bone(world, Bone::head) + turn;
-    const glm::vec3 ears = {std::cos(faces), 0.0F, -std::sin(faces)};
-    const glm::quat nod = glm::angleAxis(-0.5F * lift, ears) * turn_about_up(0.5F * turn);
-    for (const Bone bone : {Bone::neck, Bone::head}) {
-        const glm::quat parent =
-            bone == Bone::neck ? world.rotation(Bone::upper_chest) : world.rotation(Bone::neck);
-        const glm::quat own = glm::conjugate(parent) * nod * parent;
-        pose.rotation(bone) = glm::normalize(own * pose.rotation(bone));
-    }
+    turn_head(world, turn, lift + lifts_.back(), pose);
 }
 
 }  // namespace raks::motion

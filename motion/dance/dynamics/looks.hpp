@@ -23,7 +23,8 @@ enum class LookFor : std::uint8_t {
 /// Turns neck and head towards what the dancer looks at: the audience (+z), the hand that works
 /// (raised, and quicker than the other), where it travels, a side, or nothing in particular; what
 /// is behind the shoulders is not looked at. What it looks at changes every few seconds, by the
-/// seed; the head follows through a low-pass filter of the second order (0.13 s).
+/// seed; the head follows through a low-pass filter of the second order (0.13 s). A head that
+/// hangs for longer than a third of a second is lifted, so that nobody looks at the feet.
 ///
 /// Call advance() once for each hop, in order; to look ahead, go on with a copy. Threads: one.
 /// Real-time: yes.
@@ -37,8 +38,10 @@ class Looks {
                  const Pose& shown) noexcept RAKS_NONBLOCKING;
     /// One hop on without anything new to be seen.
     void go_on() noexcept RAKS_NONBLOCKING;
-    /// Turns neck and head of a pose.
+    /// Turns neck and head of a pose, and lifts the head.
     void apply(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONBLOCKING;
+    /// Lifts the head alone: of one who looks at a partner.
+    void lift_head(const Skeleton& skeleton, Pose& pose) const noexcept RAKS_NONBLOCKING;
 
  private:
     /// What the head is drawn to, and how far it goes there.
@@ -59,9 +62,14 @@ class Looks {
     void see(const Skeleton& skeleton, const Pose& shown) noexcept;
     [[nodiscard]] Aim aim_at(std::uint64_t cell, std::uint64_t seed, LookFor what) const noexcept;
 
+    void see_feet(const WorldPose& world) noexcept;
+
     Sights sights_;
     Aim target_;
-    std::array<Aim, 2> stages_{};  // of the filter
+    std::array<Aim, 2> stages_{};   // of the filter
+    float seconds_down_ = 0.0F;     // for which the head has hung, without what lifts it
+    float wanted_lift_ = 0.0F;      // radians
+    std::array<float, 2> lifts_{};  // stages of the filter
 };
 
 }  // namespace raks::motion

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "motion/skeleton/pose.hpp"
@@ -11,20 +12,30 @@
 
 namespace raks::motion {
 
+/// What an expression of the face does while the poses go on.
+struct ExpressionTrack {
+    std::string name;            ///< "happy"
+    bool is_preset = true;       ///< one of VRM 1.0's
+    std::vector<float> weights;  ///< one a pose, [0, 1]
+};
+
 /// Poses as a VRM animation (VRMC_vrm_animation 1.0 in a binary glTF 2.0): a node for each of the
 /// 52 bones, resting in the skeleton's T-pose; rotations, and the hips' travel in metres, with a
-/// key a pose. What does not move has one key. `name`: of the clip. Errors: no poses, a rate that
-/// is not positive, a pose that is not finite, more than 4 GiB. Threads: workers. Real-time: no.
+/// key a pose. What does not move has one key. `name`: of the clip. `face`: expressions, each with
+/// a node of its own whose x is the weight. Errors: no poses, a rate that is not positive, a pose
+/// that is not finite, more than 4 GiB. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::string> vrma_bytes(const Skeleton& skeleton,
                                                std::span<const Pose> poses,
                                                double poses_per_second,
-                                               const std::string& name);
+                                               const std::string& name,
+                                               std::span<const ExpressionTrack> face = {});
 
 /// The same as a file, which appears under its name only when complete; the clip has the file's
 /// name. Errors: also those of write_file.
 [[nodiscard]] Expected<void> write_vrma(const std::filesystem::path& path,
                                         const Skeleton& skeleton,
                                         std::span<const Pose> poses,
-                                        double poses_per_second);
+                                        double poses_per_second,
+                                        std::span<const ExpressionTrack> face = {});
 
 }  // namespace raks::motion

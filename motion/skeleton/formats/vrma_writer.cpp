@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -43,20 +44,31 @@ class VrmaDocument {
         clip_ = {{"name", name}, {"channels", Json::array()}, {"samplers", Json::array()}};
     }
 
+    // An expression: a node beside the bones; says which.
+    std::size_t add_expression(const ExpressionTrack& track) {
+        Json& json = glb_.json();
+        const std::size_t node = json["nodes"].size();
+        json["nodes"].push_back({{"name", track.name}});
+        json["scenes"][0]["nodes"].push_back(node);
+        json["extensions"]["VRMC_vrm_animation"]["expressions"]
+            [track.is_preset ? "preset" : "custom"][track.name] = {{"node", node}};
+        return node;
+    }
+
     // Moments of keys; says their accessor.
     std::size_t add_times(const std::vector<float>& times) {
         return glb_.add_floats(times, GlbType::scalar, GlbUse::values, true);
     }
 
-    // What one bone does.
-    void add_channel(std::size_t bone,
+    // What one node does.
+    void add_channel(std::size_t node,
                      const char* path,
                      std::size_t times,
                      const std::vector<float>& values,
                      GlbType type) {
         const std::size_t output = glb_.add_floats(values, type);
         clip_["channels"].push_back(
-            {{"sampler", clip_["samplers"].size()}, {"target", {{"node", bone}, {"path", path}}}});
+            {{"sampler", clip_["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
         clip_["samplers"].push_back(
             {{"input", times}, {"output", output}, {"interpolation", "LINEAR"}});
     }
@@ -100,6 +112,15 @@ std::vector<float> rotations_of(std::span<const Pose> poses, std::size_t bone) {
     return values;
 }
 
+// Weights of an expression as places along x.
+std::vector<float> places_of(const ExpressionTrack& track, std::size_t poses) {
+    std::vector<float> values(3 * poses, 0.0F);
+    for (std::size_t i = 0; i < std::min(poses, track.weights.size()); ++i) {
+        values[3 * i] = track.weights[i];
+    }
+    return values;
+}
+
 std::vector<float> travel_of(std::span<const Pose> poses) {
     std::vector<float> values;
     values.reserve(3 * poses.size());
@@ -124,7 +145,8 @@ bool is_constant(const std::vector<float>& values, std::size_t width) {
 Expected<std::string> vrma_bytes(const Skeleton& skeleton,
                                  std::span<const Pose> poses,
                                  double poses_per_second,
-                                 const std::string& name) {
+                                 const std::string& name,
+                                 std::span<const ExpressionTrack> face) {
     if (auto checked = check_poses(poses, poses_per_second); !checked) {
         return fail(std::move(checked.error()));
     }
@@ -136,15 +158,21 @@ Expected<std::string> vrma_bytes(const Skeleton& skeleton,
     const std::size_t times = document.add_times(moments);
     const std::size_t start = poses.size() == 1 ? times : document.add_times({0.0F});
     const auto add =
-        [&](std::size_t bone, const char* path, std::vector<float> values, GlbType type) {
+        [&](std::size_t node, const char* path, std::vector<float> values, GlbType type) {
             const std::size_t width = glb_width(type);
             const bool stays = is_constant(values, width);
             values.resize(stays ? width : values.size());
-            document.add_channel(bone, path, stays ? start : times, values, type);
+            document.add_channel(node, path, stays ? start : times, values, type);
         };
     add(0, "translation", travel_of(poses), GlbType::vec3);
     for (std::size_t bone = 0; bone < kBoneNames.size(); ++bone) {
         add(bone, "rotation", rotations_of(poses, bone), GlbType::vec4);
+    }
+    for (const ExpressionTrack& track : face) {
+        add(document.add_expression(track),
+            "translation",
+            places_of(track, poses.size()),
+            GlbType::vec3);
     }
     return document.bytes();
 }
@@ -152,8 +180,9 @@ Expected<std::string> vrma_bytes(const Skeleton& skeleton,
 Expected<void> write_vrma(const std::filesystem::path& path,
                           const Skeleton& skeleton,
                           std::span<const Pose> poses,
-                          double poses_per_second) {
-    const auto bytes = vrma_bytes(skeleton, poses, poses_per_second, path.stem().string());
+                          double poses_per_second,
+                          std::span<const ExpressionTrack> face) {
+    const auto bytes = vrma_bytes(skeleton, poses, poses_per_second, path.stem().string(), face);
     if (!bytes) {
         return fail(path.string() + ": " + bytes.error().message);
     }

@@ -246,6 +246,24 @@ TEST_F(DancesOfBoth, are_danced_of_both_in_turn) {
     EXPECT_EQ(form_of(settings_).material, Material::written);
 }
 
+TEST_F(CellDances, have_the_mood_of_the_dances_file_and_go_on_without_one_that_is_mangled) {
+    const auto with_mood = [&](const std::string& mood) {
+        EXPECT_TRUE(write_file(folder_.path() / "mine.toml",
+                               "format = \"raks-dance\"\nversion = 1\ndance = \"mine\"\n" + mood +
+                                   "\n[[figure]]\nname = \"step\"\n"));
+        return *DanceCatalogue::load(folder_.path());
+    };
+    const DanceCatalogue own = with_mood("mood = { base = \"sad\" }");
+    EXPECT_EQ(own.find("mine")->mood.base, motion::Emotion::sad);
+    EXPECT_TRUE(own.notes().empty());
+    const DanceCatalogue mangled = with_mood("mood = { base = \"sadd\" }");
+    EXPECT_EQ(mangled.find("mine")->mood, motion::DanceMood());
+    ASSERT_EQ(mangled.notes().size(), 1U);
+    EXPECT_NE(mangled.notes()[0].find("did you mean \"sad\"?; faces go without it"),
+              std::string::npos)
+        << mangled.notes()[0];
+}
+
 TEST_F(CellDances, are_not_begun_with_where_they_cannot_be_what_is_asked_for) {
     Settings settings;
     settings.fallback_dance = "mine";

@@ -87,7 +87,7 @@ std::vector<glm::mat4> played(const Model& model, float time) {
 /// distance, in metres, of all nodes at all times.
 float farthest_off(Model model) {
     const std::vector<motion::Pose> poses = dance();
-    put_dance(model, poses, kRate, "dance", "song.wav");
+    put_dance(model, poses, {}, kRate, "dance", "song.wav");
     const auto read = written_glb(model);
     EXPECT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->animations.size(), 1U);
@@ -129,11 +129,32 @@ TEST(DancedModel, read_back_moves_as_its_rig_within_a_tenth_of_a_millimetre) {
     EXPECT_LT(farthest_off(mannequin_to_give_away()), 1e-4F);
 }
 
+TEST(DancedModel, has_its_face_as_weights_of_morph_targets) {
+    render::Model model = mannequin_to_give_away();
+    std::vector<render::Face> faces(5);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        faces[i].weight(render::FaceExpression::happy) = 0.25F * static_cast<float>(i);
+    }
+    put_dance(model, std::vector<motion::Pose>(5), faces, kRate, "smile");
+    const auto read = written_glb(model);
+    ASSERT_TRUE(read) << read.error().message;
+    const auto& channels = read->animations.front().channels;
+    const auto face = std::find_if(channels.begin(), channels.end(), [](const auto& channel) {
+        return channel.path == render::ChannelPath::weights;
+    });
+    ASSERT_NE(face, channels.end());
+    ASSERT_EQ(face->times.size(), 5U);
+    const std::size_t targets = face->values.size() / 5;
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(face->values[targets * i], 0.25F * static_cast<float>(i), 1e-6F) << "happy";
+    }
+}
+
 TEST(DancedModel, has_its_dance_for_its_only_clip_and_still_nodes_have_no_channel) {
     auto model = load_to_give_away(kFigureFiles / "RiggedFigure.glb", {});
     ASSERT_TRUE(model) << model.error().message;
     model->animations.resize(3);
-    put_dance(*model, std::vector<motion::Pose>(5), kRate, "still");
+    put_dance(*model, std::vector<motion::Pose>(5), {}, kRate, "still");
     ASSERT_EQ(model->animations.size(), 1U);
     EXPECT_LT(model->animations.front().channels.size(), model->nodes.size());
     for (const render::AnimationChannel& channel : model->animations.front().channels) {

@@ -172,6 +172,50 @@ TEST(DancerFace, a_far_turn_of_the_head_makes_it_blink_once) {
     }
 }
 
+render::Face face_of(const motion::Feeling& feeling, FaceHabits habits = {}) {
+    DancerFace face(1, habits);
+    return face.face_at({.feeling = feeling}, skeleton(), standing());
+}
+
+TEST(DancerFace, shows_what_is_felt_as_much_as_the_mood_says) {
+    motion::Feeling feeling;
+    feeling.of(motion::Emotion::happy) = 0.5F;
+    feeling.brows = -0.5F;
+    feeling.teeth = 1.0F;
+    const render::Face shown = face_of(feeling);
+    EXPECT_EQ(shown.weight(FaceExpression::happy), 0.5F);
+    EXPECT_EQ(shown.weight(FaceExpression::brow_up_right), 0.5F);
+    EXPECT_EQ(shown.weight(FaceExpression::brow_up_left), 0.0F);
+    EXPECT_GT(shown.weight(FaceExpression::ee), 0.5F);
+    const auto happy = [&](std::string_view mood) {
+        return face_of(feeling, {.mood = mood_size(mood)}).weight(FaceExpression::happy);
+    };
+    EXPECT_EQ(happy("off"), 0.0F);
+    EXPECT_LT(happy("calm"), happy("normal"));
+    EXPECT_LT(happy("normal"), happy("stage"));
+}
+
+TEST(DancerFace, of_a_couple_looks_at_the_partner_and_at_the_audience_when_it_wants) {
+    const glm::vec3 head = head_place(skeleton(), standing());
+    const glm::vec3 partner = head + glm::vec3(0.3F, 0.0F, 1.0F);
+    const glm::vec3 camera = head + glm::vec3(-0.5F, 0.0F, 5.0F);
+    const auto looks_at = [&](float audience, bool has_met) {
+        DancerFace face(1);
+        motion::Feeling feeling;
+        feeling.of(motion::Emotion::happy) = 0.4F;
+        feeling.audience = audience;
+        return face
+            .face_at(
+                {.gaze_target = camera, .feeling = feeling, .partner = partner, .has_met = has_met},
+                skeleton(),
+                standing())
+            .gaze_target;
+    };
+    EXPECT_LT(glm::distance(looks_at(0.0F, false), partner), 1e-4F);
+    EXPECT_LT(glm::distance(looks_at(1.0F, false), camera), 1e-4F);
+    EXPECT_LT(glm::distance(looks_at(1.0F, true), partner), 1e-4F) << "hands have met";
+}
+
 TEST(DancerFace, every_habit_can_be_switched_off) {
     const FaceMoment moment{
         .level_dbfs = 0.0F, .loudness_lufs = -14.0F, .gaze_target = {0, 1.5F, 9}};

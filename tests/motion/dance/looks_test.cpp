@@ -46,6 +46,26 @@ TEST(Looks, who_poses_turns_the_head_to_the_audience) {
     }
 }
 
+TEST(Looks, nobody_looks_at_the_feet_for_half_a_second) {
+    std::vector<Pose> figures = standing(0.0, 400);
+    for (std::size_t hop = 100; hop < figures.size(); ++hop) {
+        const float down = 0.4F * std::min(1.0F, static_cast<float>(hop - 100) / 30.0F);
+        for (const Bone bone : {Bone::neck, Bone::head}) {
+            figures[hop].rotation(bone) = {std::cos(0.5F * down), std::sin(0.5F * down), 0, 0};
+        }
+    }
+    int longest = 0;
+    int hops = 0;
+    for (const Pose& pose : looking(figures, LookFor::dance)) {
+        const glm::vec3 ahead =
+            world_pose(body(), pose).rotation(Bone::head) * glm::vec3(0.0F, 0.0F, 1.0F);
+        hops = ahead.y < std::sin(-0.56F) ? hops + 1 : 0;  // 32 degrees
+        longest = std::max(longest, hops);
+    }
+    EXPECT_GT(longest, 5) << "it would look down";
+    EXPECT_LT(longest, 50);
+}
+
 TEST(Looks, nobody_looks_over_the_shoulder) {
     const std::vector<Pose> away = standing(M_PI - 0.2, 100);
     EXPECT_NEAR(head_heading(looking(away, LookFor::pose).back()), head_heading(away[0]), 1e-3);

@@ -64,6 +64,27 @@ TEST(VrmaRoundTrip, poses_come_back_as_they_were) {
     }
 }
 
+TEST(VrmaRoundTrip, faces_come_back_as_they_were) {
+    const std::vector<motion::Pose> poses = some_poses(3);
+    const std::vector<motion::ExpressionTrack> face = {
+        {.name = "happy", .is_preset = true, .weights = {0.0F, 0.5F, 1.0F}},
+        {.name = "browUpLeft", .is_preset = false, .weights = {0.25F, 0.25F, 0.25F}}};
+    const auto bytes = motion::vrma_bytes(motion::mannequin_skeleton(), poses, 10.0, "x", face);
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    const auto model =
+        read_model(std::as_bytes(std::span(bytes->data(), bytes->size())), "x.vrma", SideFiles());
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_TRUE(model->warnings.empty()) << model->warnings.front();
+    const AnimationSampler sampler(*model, 0);
+    ASSERT_TRUE(sampler.has_face());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Face shown = sampler.face_at(0.1F * static_cast<float>(i));
+        EXPECT_NEAR(shown.weight(FaceExpression::happy), face[0].weights[i], 1e-6F);
+        EXPECT_NEAR(shown.weight(FaceExpression::brow_up_left), 0.25F, 1e-6F);
+        EXPECT_EQ(shown.weight(FaceExpression::angry), 0.0F);
+    }
+}
+
 TEST(VrmaRoundTrip, what_cannot_be_written_is_said) {
     const motion::Skeleton& body = motion::mannequin_skeleton();
     std::vector<motion::Pose> poses = some_poses(2);

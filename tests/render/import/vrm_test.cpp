@@ -239,7 +239,8 @@ TEST(Vrm0, blend_shapes_name_meshes_and_become_expressions) {
            {"materialName":"cloth","propertyName":"_Color","targetValue":[1,0.5,0,0.5]},
            {"materialName":"skin","propertyName":"_MainTex_ST","targetValue":[0.5,0.25,0.1,0.2]},
            {"materialName":"no","propertyName":"_Color","targetValue":[1,1,1,1]}]},
-        {"name":"Grin","presetName":"unknown"},{"name":"Again","presetName":"joy"}]})");
+        {"name":"Grin","presetName":"unknown"},{"name":"SURPRISED","presetName":"unknown"},
+        {"name":"Again","presetName":"joy"}]})");
     ASSERT_EQ(read.error, "");
     const Expression* const happy = expression(read, "happy");
     ASSERT_NE(happy, nullptr);
@@ -254,7 +255,9 @@ TEST(Vrm0, blend_shapes_name_meshes_and_become_expressions) {
     ASSERT_EQ(happy->textures.size(), 1U);
     EXPECT_FLOAT_EQ(happy->textures[0].offset.y, 1.0F - 0.2F - 0.25F);
     EXPECT_NE(expression(read, "Grin"), nullptr);
-    EXPECT_EQ(read.model.character.expressions.size(), 2U);
+    ASSERT_NE(expression(read, "surprised"), nullptr) << "its maker's own word for a face of 1.0";
+    EXPECT_TRUE(expression(read, "surprised")->is_preset);
+    EXPECT_EQ(read.model.character.expressions.size(), 3U);
     EXPECT_TRUE(read.warns("the expression happy is there already"));
     EXPECT_TRUE(read.warns("binds[1].mesh: 9 does not exist: there are 1"));
     EXPECT_TRUE(read.warns("is not a material of the file"));

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "render/mannequin/face_shape.hpp"
+#include "render/mannequin/face_sheets.hpp"
 #include "render/mannequin/mannequin.hpp"
 #include "render/mannequin/painted_mesh.hpp"
 
@@ -179,6 +181,37 @@ TEST(MannequinFace, the_mouth_opens_and_the_irises_follow_the_gaze) {
     for (const std::size_t i : vertices_of(avatar, Paint::iris)) {
         EXPECT_GT(left[i].x, ahead[i].x + 0.004F);
     }
+}
+
+TEST(MannequinFace, at_rest_it_neither_sulks_nor_frowns) {
+    for (const MannequinBuild build : kBuilds) {
+        const std::vector<Sheet> sheets = face_sheets({}, build);
+        // The inside of the mouth, then the lips; its first row is the upper lip's edge.
+        const Sheet& mouth = sheets[sheets.size() - 3];
+        const float corner = mouth.points.front().y;
+        EXPECT_GT(corner, mouth.points[mouth.columns / 2].y + 0.003F) << "corners are up";
+        // Of the left half the brow is the last.
+        const Sheet& brow = sheets[7];
+        ASSERT_EQ(brow.points.front().paint, Paint::hair);
+        const float inner = brow.points[brow.columns].y;
+        const float outer = brow.points[2 * brow.columns - 1].y;
+        EXPECT_GT(inner, outer - 0.002F) << "inner ends do not hang";
+    }
+}
+
+TEST(MannequinFace, one_brow_rises_alone) {
+    const auto highest = [](const FaceShape& shape, std::size_t sheet) {
+        float high = 0.0F;
+        for (const FacePoint& point : face_sheets(shape, MannequinBuild::follow)[sheet].points) {
+            high = std::max(high, point.y);
+        }
+        return high;
+    };
+    const FaceShape left = face_shape(FaceExpression::brow_up_left);
+    constexpr std::size_t kLeftBrow = 7;
+    constexpr std::size_t kRightBrow = 15;
+    EXPECT_GT(highest(left, kLeftBrow), highest({}, kLeftBrow) + 0.004F);
+    EXPECT_LE(highest(left, kRightBrow), highest({}, kRightBrow));
 }
 
 TEST(MannequinFace, nothing_of_it_lies_under_the_skin_of_the_eyes) {
