@@ -149,6 +149,12 @@ void DanceCatalogue::add(CatalogueEntry entry) {
                                      entry.folder.string()));
         return;
     }
+    // What is wrong with the whole file is said when the dance is loaded.
+    if (const auto grammar = motion::load_grammar(grammar_path(entry.folder, entry.info.name));
+        entry.has_figures && grammar) {
+        const auto& notes = grammar->habits.notes;
+        notes_.insert(notes_.end(), notes.begin(), notes.end());
+    }
     entries_.push_back(std::move(entry));
 }
 
