@@ -10,6 +10,7 @@
 
 #include "base/expected.hpp"
 #include "motion/dance/generator.hpp"
+#include "motion/figures/dance_habits.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -34,10 +35,11 @@ class DanceLibrary {
         const Skeleton& skeleton,
         const FigureGrammar* grammar = nullptr,
         Generator generator = Generator::trajectories);
-    /// Solves the takes of a dance of cells (some 100 ms a minute). Errors: a take that cannot be
+    /// Solves the takes of a dance of cells (some 100 ms a minute). `habits`: what its dancers do
+    /// beside the takes. Errors: a take that cannot be
     /// solved, named. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
-        const CellDance& dance, const Skeleton& skeleton);
+        const CellDance& dance, const Skeleton& skeleton, const DanceHabits& habits = {});
     /// What build() solved, as bytes for a cache on this machine; unpack() gives the same bits
     /// back. They are valid only for the program, skeleton and grammar that they were solved with.
     /// Threads: workers. Real-time: no.
@@ -50,7 +52,9 @@ class DanceLibrary {
         const FigureGrammar& grammar);
     /// The same of a dance of cells, which has no grammar.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
-        std::shared_ptr<const std::string> bytes, const Skeleton& skeleton);
+        std::shared_ptr<const std::string> bytes,
+        const Skeleton& skeleton,
+        const DanceHabits& habits = {});
     /// Out of line, where Content is complete.
     ~DanceLibrary();
     /// The figures' names in the order of `figures`; the views are valid as long as the library

@@ -88,6 +88,7 @@ void Dancer::advance(const MusicState& music, PoseTrack& track) noexcept RAKS_NO
     if (state.last_hop >= 0 && music.hop != state.last_hop + 1) {
         track.clear();
     }
+    state.is_first_hop = state.last_hop < 0;
     state.last_hop = music.hop;
     state.commands.run_due(music.time, [&](const DancerCommand& command) { state.apply(command); });
     state.decide(music);

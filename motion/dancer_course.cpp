@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "motion/dance/dynamics/waiting.hpp"
 #include "motion/dancer_state.hpp"
 
 namespace raks::motion {
@@ -22,6 +21,12 @@ constexpr double kTurnsOver = 1.75;   // radians: more is not turned within a st
 
 constexpr double kRiseInPhrase = 0.3;  // of the energy, from its middle to its end
 
+// Of a dance that is come into in its midst: bars that are danced unseen before, more by one where
+// count 1 of a figure of two bars lies a bar earlier; and beats from one look at what comes next to
+// another.
+constexpr int kBarsUnseen = 2;
+constexpr double kUnseenStep = 0.125;
+
 /// Whether it is worth while to begin: a known song must have begun, and must have some bars left.
 bool may_begin(const MusicState& music) noexcept {
     constexpr Nanos kRounding = std::chrono::milliseconds(20);
@@ -29,6 +34,15 @@ bool may_begin(const MusicState& music) noexcept {
         kLeastDance * music.grid.beats_per_bar * music.grid.tempo.seconds_per_beat();
     return !music.ahead.is_known || (music.time >= music.ahead.begins - kRounding &&
                                      to_seconds(music.ahead.ends - music.time) >= least);
+}
+
+/// Whether a known song is in its midst: where the dance would have begun already, or in its first
+/// bar, of which the beginning is cut off.
+bool is_in_midst(const MusicState& music) noexcept {
+    const double bar = music.grid.beats_per_bar * music.grid.tempo.seconds_per_beat();
+    const double left = to_seconds(music.ahead.ends - music.time);
+    return music.ahead.is_known && music.part != MusicPart::stopped && left >= kLeastDance * bar &&
+           to_seconds(music.ahead.begins - music.time) < bar;
 }
 
 /// Whether the beat goes on though it is hardly heard: while its band leaves for a while, and in a
@@ -87,10 +101,14 @@ void Dancer::State::decide(const MusicState& music) noexcept {
             hits.advance(music, manner.manner().body);
         }
     }
-    bow(music.time);
+    if (!is_dancing && has_dynamics()) {
+        idle.lead_hands(music.time, hands);
+    }
     if (is_dancing) {
         go_on(music);
         // What is known needs no second look.
+    } else if (is_first_hop && !is_held && is_in_midst(music)) {
+        come_in(music);
     } else if (is_held || hops_sure < (music.ahead.is_known ? 1 : kHopsToStart) ||
                !standing.is_settled(music.time) || !may_begin(music)) {
         is_after_line = false;
@@ -186,21 +204,65 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
 
 /// Begins at the bar line that was just passed: from standing, or in the place of another dance.
 void Dancer::State::begin(const MusicState& music, bool is_turned) noexcept {
+    begin_bars_ago(music, is_turned, 0);
+    change(music.time);
+}
+
+/// The same as if it had begun some bars before. Nothing leads over from what was shown.
+void Dancer::State::begin_bars_ago(const MusicState& music, bool is_turned, int bars) noexcept {
     const Beats now = music.grid.beats_at(music.time);
+    const double into = music.grid.bar_position(now) + bars * music.grid.beats_per_bar;
     const bool was_dancing = is_dancing;
     is_dancing = true;
     bars_unwanted = 0;
     figure_rested = ~0ULL;
     // Count 1 lies on the downbeat itself, which may be a few hops ago.
-    phase.start(music.grid, now - Beats(music.grid.bar_position(now)), metre, music.time);
+    phase.start(music.grid, now - Beats(into), metre, music.time);
     pace = phase.rate() / content().metre.learnt_tempo.beats_per_second();
     sequence.set_tempo(Bpm(60.0 * phase.rate()));
     sequence.start(content(), stage, part, is_turned);
     listener.begin();
     delay = sequence.figure().landing_delay;
     if (!was_dancing) {
+        let_hands_go(music.time);
         phrases.begin(music.grid, music.time);
     }
+}
+
+/// Comes into a song that is in its midst: the first pose is danced already, as if the dance had
+/// begun with the song.
+void Dancer::State::come_in(const MusicState& music) noexcept {
+    const DanceId next = wanted(music.genre);
+    const int bars = std::max(0, music.ahead.bar) - bars_to_wait;
+    if (next == DanceId::none || bars < 0) {
+        bars_to_wait = -bars;
+        return;
+    }
+    bars_to_wait = 0;
+    if (next != genre) {
+        take_up(next);
+    }
+    const int unseen = std::min(bars, kBarsUnseen + bars % 2);
+    begin_bars_ago(music, stands_turned, unseen);
+    const Beats line = music.grid.beats_at(music.time) -
+                       Beats(music.grid.bar_position(music.grid.beats_at(music.time)));
+    phrases.begin(
+        music.grid,
+        music.grid.time_of(line - Beats((bars % Phrases::kBars) * music.grid.beats_per_bar)));
+    const double energy = static_cast<double>(music.ahead.energy);
+    CellMusic plain;
+    plain.energy = energy;
+    FigureWish nothing;
+    const double there = phase.phase().count();
+    for (double unseen_phase = 0.0; unseen_phase < there; unseen_phase += kUnseenStep) {
+        if (sequence.is_of_cells()) {
+            sequence.advance(Beats(unseen_phase), plain, nothing);
+        } else {
+            sequence.advance(Beats(unseen_phase), energy, nothing);
+        }
+    }
+    shown_before = target(music.time, -2 * kHop);
+    shown = target(music.time, -kHop);
     change(music.time);
 }
 
@@ -249,11 +311,9 @@ void Dancer::State::settle(StreamTime now) noexcept {
     is_after_line = false;
     bars_to_wait = part.bars_late;
     bars_unwanted = 0;
-    bows_at.reset();
     still.reset();
-    for (const Side side : kSides) {
-        hands.let_go(side, now, kHandsBack);
-    }
+    let_hands_go(now);
+    idle.begin(now, content().chooser.habits(), part.ways + ++settled);
     // A soloist settles facing the audience; one of a couple stays where the dance has led.
     stands_turned = part.is_in_couple && sequence.is_turned();
     standing.settle(skeleton, shown, shown_before, floor_frame(shown), place(), now);

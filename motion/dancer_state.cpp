@@ -6,7 +6,6 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
-#include "motion/dance/dynamics/waiting.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -74,6 +73,7 @@ void Dancer::State::go_on_from(const State& before) noexcept {
         is_dancing = false;
         still.end();
         standing.stand(place());
+        idle.begin(time_of_hop(last_hop), content().chooser.habits(), part.ways);
     } else {
         find(before.genre);
         sequence.go_on_in(content(), stage);
@@ -102,6 +102,7 @@ void Dancer::State::reset() noexcept RAKS_NONBLOCKING {
     static_cast<Course&>(*this) = Course();
     take_up(repertoire->first());
     standing.stand(place());
+    idle.begin(StreamTime{}, content().chooser.habits(), part.ways);
     bars_to_wait = part.bars_late;
     shown = shown_before = waiting(StreamTime{}, Nanos(0), looks);
 }
@@ -134,15 +135,11 @@ Pose Dancer::State::waiting(StreamTime now, Nanos ahead, const Looks& own) const
     if (!has_dynamics()) {
         return pose;
     }
-    WaitingMoment moment;
-    moment.time = time;
-    moment.seed = part.ways;
-    moment.felt = felt;
-    moment.beat = grid.beats_at(time).count();
-    moment.bowing = bows_at ? to_seconds(time - *bows_at) : -1.0;
-    wait(skeleton, moment, pose);
-    hands.apply(skeleton, time, pose);
+    // A movement turns the head away from what is looked at.
     own.apply(skeleton, pose);
+    idle.move(skeleton, time, {felt, grid.beats_at(time).count()}, pose);
+    hands.apply(skeleton, time, pose);
+    idle.shake(time, pose);
     return pose;
 }
 

@@ -17,6 +17,7 @@
 #include "motion/dance/dynamics/phrases.hpp"
 #include "motion/dance/dynamics/planted_feet.hpp"
 #include "motion/dance/dynamics/stillness.hpp"
+#include "motion/dance/dynamics/waiting.hpp"
 #include "motion/dance/inertialization.hpp"
 #include "motion/dance/standing.hpp"
 #include "motion/dancer.hpp"
@@ -52,6 +53,7 @@ struct Dancer::Course {
     Standing standing;
 
     bool is_dancing = false;
+    bool is_first_hop = true;    // nothing was shown before it
     bool is_held = false;        // by command, until release
     bool is_after_line = false;  // the last hop was just after a bar line
     bool is_at_line = false;     // this hop is the first after a bar line
@@ -73,9 +75,11 @@ struct Dancer::Course {
     CellMusic asked;  // of a dance of cells, at the last hop
     Hits hits;
     HandRests hands;
-    BeatGrid grid;                        // of the last hop
-    float felt = 0.0F;                    // [0, 1]: how much of the beat is felt, while waiting
-    std::optional<StreamTime> bows_at{};  // a bow begins
+    BeatGrid grid;      // of the last hop
+    float felt = 0.0F;  // [0, 1]: how much of the beat is felt, while waiting
+    Waiting idle;
+    std::uint64_t settled = 0;       // how often the dancer has settled
+    std::uint64_t songs_ended = 0;  // which ending comes next
     PlantedFeet feet;
     Looks looks;
     Breath breath;
@@ -115,18 +119,22 @@ struct Dancer::State : Dancer::Course {
     void dance_on(const MusicState& music, bool has_reanchored) noexcept;
     void stay_still(const MusicState& music) noexcept;
     void begin(const MusicState& music, bool is_turned) noexcept;
+    void begin_bars_ago(const MusicState& music, bool is_turned, int bars) noexcept;
+    void come_in(const MusicState& music) noexcept;
     void start_at_line(const MusicState& music) noexcept;
     void leave(const MusicState& music) noexcept;
     void settle(StreamTime now) noexcept;
-    void bow(StreamTime now) noexcept;
+    void end_song(StreamTime at) noexcept;
     [[nodiscard]] bool wait_for_bar(const MusicState& music) noexcept;
     [[nodiscard]] bool pause_at_phrase_end(const MusicState& music) noexcept;
     [[nodiscard]] bool pause_at_rest(const MusicState& music) noexcept;
+    [[nodiscard]] bool end_on(const MusicState& music, StreamTime last) noexcept;
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
     void resume(const MusicState& music) noexcept;
+    void let_hands_go(StreamTime now) noexcept;
     void rest_hands(const MusicState& music) noexcept;
-    void show_pose(StreamTime now) noexcept;
+    void show_pose(StreamTime now, double seconds) noexcept;
     [[nodiscard]] DanceId wanted(DanceId recognized) const noexcept;
 
     // Poses (dancer_state.cpp).

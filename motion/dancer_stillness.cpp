@@ -3,22 +3,27 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "motion/dance/dynamics/waiting.hpp"
 #include "motion/dance/key_moment.hpp"
 #include "motion/dancer_state.hpp"
 
 namespace raks::motion {
 namespace {
 
-constexpr double kLongestStop = 2.6;    // seconds of stillness after which the dancer relaxes
+constexpr double kLongestStop = 1.9;    // seconds of stillness after which the dancer relaxes
+constexpr double kSoonGoesOn = 0.8;     // seconds to an entry that is known, for which one stays
 constexpr double kLongestEnding = 1.8;  // seconds for which the last posture is held
-constexpr Nanos kBowAfter = std::chrono::milliseconds(600);  // after the last posture
+constexpr Nanos kThanksAfter = std::chrono::milliseconds(600);  // after the last posture
 
 // Beats from the moment shown in which the posture for a stop is looked for. The clock comes to
 // rest after twice the way there.
 constexpr double kNearestKey = 0.12;
 constexpr double kFarthestKey = 0.42;
 constexpr double kFarthestKeySeconds = 0.18;  // and never farther: slow music stops as fast
+// Of the last posture: beats of the dance before the last beat from which it is led to, and its
+// key, as a share of what would be danced until then.
+constexpr double kBeforeEnd = 1.2;
+constexpr double kNearestEnd = 0.40;
+constexpr double kFarthestEnd = 0.80;
 constexpr double kBeforeKnownStop = 0.6;      // beats before a stop that is known
 // A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
@@ -40,6 +45,7 @@ constexpr double kHandsToRest = 0.75;      // seconds
 constexpr std::uint64_t kPauseStream = 3;
 constexpr std::uint64_t kRestStream = 4;
 constexpr std::uint64_t kPoseStream = 5;
+constexpr std::uint64_t kEndingStream = 8;
 
 /// Where both hands are while the dancer stands still; none: where the dance left it.
 struct ArmPosture {
@@ -72,11 +78,16 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
         const bool is_over = music.ahead.is_known && music.time >= music.ahead.ends;
         cause = is_over ? Cause::ending : Cause::stop;
     }
-    if (is_held || rested > (cause == Cause::ending ? kLongestEnding : kLongestStop)) {
-        const bool bows = cause == Cause::ending && !is_held;
+    const MusicEvent& next = music.ahead.events.front();
+    const bool goes_on_soon = cause != Cause::ending && music.ahead.is_known &&
+                              next.kind == Kind::entry &&
+                              to_seconds(next.time - music.time) < kSoonGoesOn;
+    if (is_held ||
+        (rested > (cause == Cause::ending ? kLongestEnding : kLongestStop) && !goes_on_soon)) {
+        const bool is_over = cause == Cause::ending && !is_held;
         settle(music.time);
-        if (bows) {
-            bows_at = music.time + kBowAfter;
+        if (is_over) {
+            end_song(music.time + kThanksAfter);
         }
         return;
     }
@@ -97,16 +108,14 @@ void Dancer::State::stay_still(const MusicState& music) noexcept {
     }
 }
 
-/// Thanks the audience, with a hand before the waist.
-void Dancer::State::bow(StreamTime now) noexcept {
-    if (!bows_at || now < *bows_at) {
-        return;
-    }
-    if (now < *bows_at + nanos_from_seconds(kBowSeconds)) {
-        hands.go_to(Side::right, HandPlace::waist, now, kHandsToRest);
-    } else {
-        hands.let_go(Side::right, now, kHandsBack);
-        bows_at.reset();
+/// Thanks the audience, each time in another way of the dance's.
+void Dancer::State::end_song(StreamTime at) noexcept {
+    const std::vector<Ending>& endings = content().chooser.habits().endings;
+    if (!endings.empty()) {
+        const std::uint64_t first =
+            CounterRandom(part.seed, kEndingStream).below(0, endings.size());
+        idle.end_song(endings[static_cast<std::size_t>((first + songs_ended++) % endings.size())],
+                      at);
     }
 }
 
@@ -121,9 +130,13 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
     };
     if (music.ahead.is_known) {
         const MusicEvent& next = music.ahead.events.front();
-        const bool ends = comes(music.ahead.ends) || (next.kind == Kind::end && comes(next.time));
-        if (ends || (next.kind == Kind::stop && comes(next.time))) {
-            stand_still(music, ends ? Cause::ending : Cause::stop, kNearestKey, kFarthestKey);
+        const bool ends_with_event = next.kind == Kind::end && next.time > music.time;
+        if (end_on(music,
+                   ends_with_event ? std::min(next.time, music.ahead.ends) : music.ahead.ends)) {
+            return true;
+        }
+        if (next.kind == Kind::stop && comes(next.time)) {
+            stand_still(music, Cause::stop, kNearestKey, kFarthestKey);
             return true;
         }
     }
@@ -132,6 +145,25 @@ bool Dancer::State::stop_with(const MusicState& music) noexcept {
         return true;
     }
     return false;
+}
+
+/// Comes to stand in the last posture on the last beat itself: the music may stop there.
+bool Dancer::State::end_on(const MusicState& music, StreamTime last) noexcept {
+    const double left = to_seconds(last - music.time);
+    const double beats = left * phase.rate();
+    if (left <= 0.0 || beats > kBeforeEnd) {
+        return false;
+    }
+    const Beats from = shown_phase(music.time, Nanos(0));
+    const Beats earliest = from + Beats(kNearestEnd * beats);
+    const Beats latest = from + Beats(kFarthestEnd * beats);
+    // Both of a couple stop at the same moment of their figure.
+    const Beats key = part.is_in_couple ? earliest + 0.5 * (latest - earliest)
+                                        : key_moment(sequence, earliest, latest);
+    cause = Cause::ending;
+    still.begin(music.time, from, phase.rate(), key, last);
+    show_pose(music.time, left);
+    return true;
 }
 
 /// Waits at the end of a figure for the downbeat, where count 1 has lain on another beat: the last
@@ -216,14 +248,15 @@ void Dancer::State::stand_still(const MusicState& music,
     still.begin(music.time, from, phase.rate(), key);
     // A pause is over before arms had come anywhere.
     if (why != Cause::phrase) {
-        show_pose(music.time);
+        show_pose(music.time, kHandsToPose);
     }
 }
 
-/// Leads the arms to a posture that looks meant.
-void Dancer::State::show_pose(StreamTime now) noexcept {
-    // One of a couple keeps the other's hands, and people's cells have arms of their own.
-    if (part.is_in_couple || sequence.is_of_cells()) {
+/// Leads the arms to a posture that looks meant, within so many seconds.
+void Dancer::State::show_pose(StreamTime now, double seconds) noexcept {
+    // One of a couple keeps the other's hands; people's cells have arms of their own, but none that
+    // end a song.
+    if (part.is_in_couple || (sequence.is_of_cells() && cause != Cause::ending)) {
         return;
     }
     const CounterRandom random(part.seed, kPoseStream);
@@ -232,7 +265,7 @@ void Dancer::State::show_pose(StreamTime now) noexcept {
     const std::array<std::optional<HandPlace>, 2> places = {posture.left, posture.right};
     for (const Side side : kSides) {
         if (const auto& place = places[static_cast<std::size_t>(side)]) {
-            hands.go_to(side, *place, now, kHandsToPose);
+            hands.go_to(side, *place, now, seconds);
         }
     }
 }
@@ -243,10 +276,14 @@ void Dancer::State::resume(const MusicState& music) noexcept {
     still.end();
     sequence.go_on_from(key, shown_phase(music.time, Nanos(0)));
     figure_rested = ~0ULL;
-    for (const Side side : kSides) {
-        hands.let_go(side, music.time, kHandsBack);
-    }
+    let_hands_go(music.time);
     change(music.time);
+}
+
+void Dancer::State::let_hands_go(StreamTime now) noexcept {
+    for (const Side side : kSides) {
+        hands.let_go(side, now, kHandsBack);
+    }
 }
 
 /// Lets a hand rest for a figure, more often in calm music.

@@ -151,20 +151,26 @@ void DanceCatalogue::add(CatalogueEntry entry) {
         return;
     }
     if (entry.has_figures) {
-        entry.mood = mood_in(entry);
+        read_habits(entry);
     }
     entries_.push_back(std::move(entry));
 }
 
-/// The mood that the dance's file says. One that cannot be read is left out, and a note says so;
-/// a file that is no grammar at all is complained of where its dance is loaded.
-motion::DanceMood DanceCatalogue::mood_in(const CatalogueEntry& entry) {
+/// Takes the mood from the dance's file. What in it is left out is noted; what is wrong with the
+/// whole file is said when the dance is loaded.
+void DanceCatalogue::read_habits(CatalogueEntry& entry) {
     const fs::path file = grammar_path(entry.folder, entry.info.name);
+    const auto grammar = motion::load_grammar(file);
+    if (!grammar) {
+        return;
+    }
+    const auto& notes = grammar->habits.notes;
+    notes_.insert(notes_.end(), notes.begin(), notes.end());
     const auto mood = motion::load_mood(file);
-    if (!mood && motion::load_grammar(file)) {
+    if (!mood) {
         notes_.push_back(mood.error().message + "; faces go without it");
     }
-    return mood.value_or(motion::DanceMood());
+    entry.mood = mood.value_or(motion::DanceMood());
 }
 
 void DanceCatalogue::join_extensions() {

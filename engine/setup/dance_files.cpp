@@ -13,6 +13,7 @@
 #include "engine/setup/settings.hpp"
 #include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
+#include "motion/figures/figure_grammar.hpp"
 
 #include <fmt/format.h>
 
@@ -248,15 +249,21 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_cell_dance(
     if (!bytes) {
         return fail(bytes.error());
     }
+    // A dance that has figures, too, says there what its dancers do beside them.
+    motion::DanceHabits habits;
+    if (entry.has_figures) {
+        auto grammar = motion::load_grammar(grammar_path(entry.folder, dance));
+        habits = grammar ? std::move(grammar->habits) : habits;
+    }
     const std::filesystem::path kept = cache.path_of(dance, *bytes, skeleton);
-    if (auto found = DanceCache::find(kept, skeleton)) {
+    if (auto found = DanceCache::find(kept, skeleton, habits)) {
         return found;
     }
     const auto cells = motion::parse_cells(*bytes, file.filename().string());
     if (!cells) {
         return fail(cells.error());
     }
-    auto library = motion::DanceLibrary::build(*cells, skeleton);
+    auto library = motion::DanceLibrary::build(*cells, skeleton, habits);
     if (library) {
         DanceCache::keep(kept, **library);
     }

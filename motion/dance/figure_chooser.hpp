@@ -43,6 +43,14 @@ class FigureChooser {
     FigureChooser(FigureGrammar grammar, std::vector<bool> turns_half)
         : grammar_(std::move(grammar)), turns_half_(std::move(turns_half)) {}
 
+    /// Of a dance without figures, in which dancers have habits all the same; next() must not be
+    /// called.
+    [[nodiscard]] static FigureChooser without_figures(const DanceHabits& habits) {
+        FigureChooser chooser;
+        chooser.grammar_.habits = habits;
+        return chooser;
+    }
+
     /// What the dancers do beside the figures.
     [[nodiscard]] const DanceHabits& habits() const noexcept { return grammar_.habits; }
 

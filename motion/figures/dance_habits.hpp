@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,57 @@ enum class HandPlace : std::uint8_t {
 inline constexpr std::array<std::string_view, 8> kHandPlaceNames = {
     "thigh", "hip", "waist", "chest", "wide", "high", "low", "offered"};
 
+/// How a dancer thanks the audience, after the last posture of a song.
+enum class Ending : std::uint8_t {
+    bow,       ///< bends, a hand before the waist
+    curtsy,    ///< sinks on one leg behind the other, hands out at the skirt
+    wave,      ///< waves with a hand over the head
+    heart,     ///< a hand on the chest, bends a little
+    flourish,  ///< opens both arms, then bends
+    stance,    ///< arms folded before the chest, the chin up
+    fist,      ///< a fist into the air
+    point,     ///< offers a hand to the audience
+    nod,       ///< nods twice, loosely
+};
+/// Names in files, in the order of Ending.
+inline constexpr std::array<std::string_view, 9> kEndingNames = {
+    "bow", "curtsy", "wave", "heart", "flourish", "stance", "fist", "point", "nod"};
+
+/// What one does who stands and waits.
+enum class IdleMove : std::uint8_t {
+    weight,     ///< goes over to one leg
+    look,       ///< looks to both sides
+    breathe,    ///< a deep breath
+    stretch,    ///< stretches both arms over the head
+    tap,        ///< taps with the toes of a foot
+    shake,      ///< shakes out the hands
+    shoulders,  ///< rolls the shoulders back
+    neck,       ///< leans the head to both sides
+    sway,       ///< sways from leg to leg
+    toes,       ///< rises on the toes and comes down
+    knees,      ///< bends the knees
+    up,         ///< looks up at the lights
+    twist,      ///< twists the trunk, the arms loose
+    loosen,     ///< one heel up, then the other
+    fold,       ///< folds the hands before the waist
+    akimbo,     ///< a hand on the hip
+    bounce,     ///< bounces in the knees
+    chest,      ///< the chest out and in
+    shimmy,     ///< shakes the shoulders
+    circle,     ///< the hips in a circle
+    arm,        ///< opens an arm to the side
+    crossed,    ///< arms before the chest, leaning back
+    bang,       ///< nods with the whole trunk
+    nods,       ///< nods to a beat of one's own
+    frame,      ///< lifts both arms as for a partner
+    present,    ///< offers a hand
+};
+/// Names in files, in the order of IdleMove.
+inline constexpr std::array<std::string_view, 26> kIdleMoveNames = {
+    "weight", "look",   "breathe", "stretch", "tap",    "shake", "shoulders", "neck",   "sway",
+    "toes",   "knees",  "up",      "twist",   "loosen", "fold",  "akimbo",    "bounce", "chest",
+    "shimmy", "circle", "arm",     "crossed", "bang",   "nods",  "frame",     "present"};
+
 /// What the dancers of a dance do beside its figures.
 struct DanceHabits {
     double pauses = 0.45;  ///< share of the phrases of eight bars that end in a pause; [0, 1]
@@ -32,6 +84,12 @@ struct DanceHabits {
     double mirror = 0.0;
     /// Where hands rest; at least one
     std::vector<HandPlace> rest_at{HandPlace::hip, HandPlace::thigh, HandPlace::chest};
+    /// How they thank the audience; none: they only stand
+    std::vector<Ending> endings{Ending::bow, Ending::wave, Ending::heart, Ending::flourish};
+    /// What their own dancers do while they wait, beside what all do (Waiting)
+    std::vector<IdleMove> idle{};
+    /// What was passed over as they were read: one line each, without the file's name
+    std::vector<std::string> notes{};
 };
 
 }  // namespace raks::motion

@@ -89,6 +89,8 @@ class GrammarReader {
                                   "pauses",
                                   "rests",
                                   "rest_at",
+                                  "endings",
+                                  "idle",
                                   "mirror",
                                   "mood",
                                   "lead",
@@ -135,6 +137,9 @@ class GrammarReader {
         grammar.starts = static_cast<FigureGrammar::Starts>(named - kStartsNames.begin());
         if (auto ok = read_habits(root, grammar.habits); !ok) {
             return fail(name_ + ": " + ok.error().message);
+        }
+        for (std::string& note : grammar.habits.notes) {
+            note = name_ + ": " + note;
         }
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {

@@ -64,11 +64,12 @@ struct FigureGrammar {
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at and
-/// mirror (see DanceHabits), and one [[figure]] each with name, energy, `seen` (default 1) and
-/// `after` = { figure = weight, ... }; without `after` every other figure follows, weighted by its
-/// `seen`. For couples [lead] and [follow] with turn_point = [left, forward] and heading in
-/// degrees, and in a figure lead_aside and follow_aside = [left, forward]; [couple] with hold
+/// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at,
+/// mirror, endings and idle (see DanceHabits), and one [[figure]] each with name, energy, `seen`
+/// (default 1) and `after` = { figure = weight, ... }; without `after` every other figure follows,
+/// weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left, forward] and
+/// heading in degrees, and in a figure lead_aside and follow_aside = [left, forward]; [couple] with
+/// hold
 /// ("none", "hands" or "closed") and apart = [left, forward], and in a figure mirror (default
 /// true), half_tempo (default false) and holds = [{ lead, follow ("left" or "right"), from, to
 /// (beats) }, ...]. Errors, one line: not readable, not TOML, another format, a newer version,

@@ -9,12 +9,21 @@ void Stillness::begin(StreamTime now,
                       Beats phase,
                       double rate,
                       Beats key) noexcept RAKS_NONBLOCKING {
+    const double seconds = std::max(0.0, 2.0 * (key - phase).count() / std::max(rate, 0.1));
+    begin(now, phase, rate, key, now + nanos_from_seconds(seconds));
+}
+
+void Stillness::begin(StreamTime now,
+                      Beats phase,
+                      double rate,
+                      Beats key,
+                      StreamTime stands) noexcept RAKS_NONBLOCKING {
     is_on_ = true;
     began_ = now;
     from_ = phase;
     key_ = key;
     rate_ = std::max(rate, 0.1);
-    seconds_ = std::max(0.0, 2.0 * (key - phase).count() / rate_);
+    seconds_ = std::max(0.0, to_seconds(stands - now));
     posture_.reset();
 }
 
@@ -31,7 +40,13 @@ Beats Stillness::phase(StreamTime time) const noexcept RAKS_NONBLOCKING {
     if (t >= seconds_) {
         return key_;
     }
-    return from_ + Beats(rate_ * t * (1.0 - 0.5 * std::max(t, 0.0) / seconds_));
+    if (t <= 0.0) {
+        return from_ + Beats(rate_ * t);
+    }
+    // A cubic from the rate of the dance to none.
+    const double u = t / seconds_;
+    const double rest = 1.0 - u;
+    return from_ + u * u * (3.0 - 2.0 * u) * (key_ - from_) + Beats(rate_ * t * rest * rest);
 }
 
 }  // namespace raks::motion

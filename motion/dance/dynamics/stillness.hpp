@@ -10,14 +10,18 @@
 
 namespace raks::motion {
 
-/// Stops the dance in a posture that it would have come through: its clock slows down evenly and
-/// stands still there. The dance itself goes on unseen, so that it is in time when it is shown
+/// Stops the dance in a posture that it would have come through: its clock slows down and stands
+/// still there. The dance itself goes on unseen, so that it is in time when it is shown
 /// again. Threads: one. Real-time: yes.
 class Stillness {
  public:
     /// Begins to slow down at `now`, when the dance shows `phase` and goes on by `rate` beats a
     /// second; it stands at `key`, which is later.
     void begin(StreamTime now, Beats phase, double rate, Beats key) noexcept RAKS_NONBLOCKING;
+    /// The same, to stand at a moment that is given: the clock slows down smoothly. `key` is
+    /// farther than a third of what would be danced until then, and not so far as that.
+    void begin(StreamTime now, Beats phase, double rate, Beats key, StreamTime stands) noexcept
+        RAKS_NONBLOCKING;
     /// The dance is shown again.
     void end() noexcept { is_on_ = false; }
     /// Forgets everything.

@@ -2,106 +2,148 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/random.hpp"
-#include "base/smooth_steps.hpp"
-#include "motion/dance/body/limb_ik.hpp"
+
+#include <glm/gtc/quaternion.hpp>
 
 namespace raks::motion {
 namespace {
 
-constexpr double kShiftSeconds = 3.6;  // of one stance, on one leg or the other
-constexpr float kShift = 0.045F;       // metres to the standing leg
-constexpr float kShiftRoll = 0.05F;    // radians of the hips
-constexpr double kShakeEvery = 11.0;   // seconds; hands are shaken once in each
-constexpr double kShakeSeconds = 1.1;
-constexpr double kShakeRate = 4.0;  // a second
-constexpr float kShake = 0.28F;     // radians of the wrists
-constexpr float kNod = 0.13F;       // radians of neck and head
-constexpr float kGive = 0.014F;     // metres that the knees give
-constexpr float kBow = 0.26F;       // radians of hips, and of each bone of the spine the half
+constexpr Nanos kFirstMoveAfter = std::chrono::milliseconds(700);  // until the first movement
+constexpr double kFirstMoveSpread = 0.7;  // seconds later at most, by the seed
+constexpr float kFeltNod = 0.13F;         // radians of neck and head, to a beat
+constexpr float kFeltGive = 0.014F;       // metres that the knees give
+constexpr double kMoveHandsGo = 0.8;      // seconds to a place of a movement
+constexpr double kMoveHandsBack = 0.9;    // and back
 
-constexpr std::uint64_t kShiftStream = 21;  // streams of random numbers
-constexpr std::uint64_t kShakeStream = 22;
+constexpr std::uint64_t kIdleOrderStream = 21;  // streams of random numbers
+constexpr std::uint64_t kIdleSideStream = 22;
 
-glm::quat about_x(float radians) noexcept {
-    return {std::cos(0.5F * radians), std::sin(0.5F * radians), 0.0F, 0.0F};
-}
-glm::quat about_z(float radians) noexcept {
-    return {std::cos(0.5F * radians), 0.0F, 0.0F, std::sin(0.5F * radians)};
-}
+Side other_than(Side side) noexcept { return side == Side::left ? Side::right : Side::left; }
 
-/// -1 to 1: on the right leg, on the left one.
-float weight_at(StreamTime time, std::uint64_t seed) noexcept {
-    constexpr float kChange = 0.4F;  // share of a stance in which the weight goes over
-    const double cells = std::max(0.0, to_seconds(time.time_since_epoch()) / kShiftSeconds);
-    const auto cell = static_cast<std::uint64_t>(cells);
-    const auto side = [&](std::uint64_t i) {
-        const auto far =
-            static_cast<float>(0.4 + 0.6 * CounterRandom(seed, kShiftStream).uniform(i));
-        return i % 2 == 0 ? far : -far;
-    };
-    const auto share = static_cast<float>(cells - static_cast<double>(cell)) / kChange;
-    return side(cell) + smootherstep(share) * (side(cell + 1) - side(cell));
-}
-
-/// Turn of the wrists while the hands are shaken out; radians.
-float shake_at(StreamTime time, std::uint64_t seed) noexcept {
-    const double cells = std::max(0.0, to_seconds(time.time_since_epoch()) / kShakeEvery);
-    const auto cell = static_cast<std::uint64_t>(cells);
-    const double latest = kShakeEvery - kShakeSeconds;
-    const double begins = latest * CounterRandom(seed, kShakeStream).uniform(cell);
-    const double into = kShakeEvery * (cells - static_cast<double>(cell)) - begins;
-    if (into <= 0.0 || into >= kShakeSeconds) {
-        return 0.0F;
+/// Adds a movement that is not there yet.
+template <std::size_t kSize>
+void add_move(IdleMove move, std::array<IdleMove, kSize>& moves, std::size_t& count) noexcept {
+    const auto end = moves.begin() + static_cast<std::ptrdiff_t>(count);
+    if (std::find(moves.begin(), end, move) == end) {
+        moves[count++] = move;
     }
-    const double grows = std::sin(M_PI * into / kShakeSeconds);
-    return kShake * static_cast<float>(grows * grows * std::sin(2.0 * M_PI * kShakeRate * into));
-}
-
-/// [0, 1]: how far one is bent in a bow.
-float bow_at(double seconds) noexcept {
-    const auto t = static_cast<float>(seconds);
-    return smootherstep(0.0F, 0.8F, t) *
-           (1.0F - smootherstep(1.1F, static_cast<float>(kBowSeconds), t));
 }
 
 }  // namespace
 
-void wait(const Skeleton& skeleton,
-          const WaitingMoment& moment,
-          Pose& pose) noexcept RAKS_NONBLOCKING {
-    const Pose stands = pose;
-    const float weight = weight_at(moment.time, moment.seed);
-    const glm::quat hips = pose.rotation(Bone::hips);
-    pose.hips_position +=
-        hips * glm::vec3(kShift * weight, -0.15F * kShift * weight * weight, 0.0F);
-    pose.rotation(Bone::hips) = hips * about_z(-kShiftRoll * weight);
-    pose.rotation(Bone::spine) = about_z(0.7F * kShiftRoll * weight) * pose.rotation(Bone::spine);
-
-    // Down on the beat, up between two.
-    const auto down = static_cast<float>(0.5 + 0.5 * std::cos(2.0 * M_PI * moment.beat));
-    pose.hips_position.y -= kGive * moment.felt * down;
-    for (const Bone bone : {Bone::neck, Bone::head}) {
-        pose.rotation(bone) = pose.rotation(bone) * about_x(0.5F * kNod * moment.felt * down);
+// The first movements of the list are everyone's.
+void Waiting::begin(StreamTime now,
+                    const DanceHabits& habits,
+                    std::uint64_t seed) noexcept RAKS_NONBLOCKING {
+    count_ = 0;
+    for (const IdleMove own : habits.idle) {
+        add_move(own, order_, count_);
     }
-
-    const float shake = shake_at(moment.time, moment.seed);
-    for (const Side side : kSides) {
-        const float sign = side == Side::left ? 1.0F : -1.0F;
-        const Bone hand = on_side(Bone::left_hand, side);
-        pose.rotation(hand) = pose.rotation(hand) * about_z(sign * shake);
+    for (std::size_t i = 0; i < kMostMoves && count_ < kLeastMoves; ++i) {
+        add_move(static_cast<IdleMove>(i), order_, count_);
     }
+    const CounterRandom random(seed, kIdleOrderStream);
+    for (std::size_t i = count_; i > 1; --i) {
+        std::swap(order_[i - 1], order_[static_cast<std::size_t>(random.below(i, i))]);
+    }
+    seed_ = seed;
+    since_ = now + kFirstMoveAfter + nanos_from_seconds(kFirstMoveSpread * random.uniform(0));
+    ends_at_.reset();
+}
 
-    if (moment.bowing > 0.0 && moment.bowing < kBowSeconds) {
-        const float bow = kBow * bow_at(moment.bowing);
-        pose.rotation(Bone::hips) = pose.rotation(Bone::hips) * about_x(bow);
-        pose.hips_position += hips * glm::vec3(0.0F, -0.03F, -0.25F) * bow;
-        for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest, Bone::neck}) {
-            pose.rotation(bone) = pose.rotation(bone) * about_x(0.6F * bow);
+void Waiting::end_song(Ending ending, StreamTime at) noexcept RAKS_NONBLOCKING {
+    ending_ = ending;
+    ends_at_ = at;
+    since_ = at + nanos_from_seconds(gesture_of(ending).seconds());
+}
+
+IdleMove Waiting::nth(std::uint64_t number) const noexcept {
+    return order_[static_cast<std::size_t>(number % count_)];
+}
+
+bool Waiting::is_nth_mirrored(std::uint64_t number) const noexcept {
+    return CounterRandom(seed_, kIdleSideStream).below(number, 2) == 1;
+}
+
+Waiting::Moment Waiting::moment_at(StreamTime time) const noexcept {
+    Moment moment;
+    if (count_ == 0 || time < since_) {
+        if (ends_at_ && time >= *ends_at_) {
+            moment.gesture = &gesture_of(ending_);
+            moment.seconds = to_seconds(time - *ends_at_);
+        }
+        return moment;
+    }
+    const double seconds = to_seconds(time - since_);
+    const auto number = static_cast<std::uint64_t>(seconds / kMoveSeconds);
+    moment.gesture = &gesture_of(nth(number));
+    moment.seconds = seconds - kMoveSeconds * static_cast<double>(number);
+    moment.is_mirrored = is_nth_mirrored(number);
+    if (number > 0) {
+        const BodyShape& last = gesture_of(nth(number - 1)).keys.back().shape;
+        // Seen from the side to which this movement is made.
+        moment.from = is_nth_mirrored(number - 1) != moment.is_mirrored ? mirrored(last) : last;
+    }
+    return moment;
+}
+
+BodyShape Waiting::shape_at_moment(const Moment& moment) const noexcept {
+    if (moment.gesture == nullptr) {
+        return {};
+    }
+    const BodyShape shape = shape_at(*moment.gesture, moment.from, moment.seconds);
+    return moment.is_mirrored ? mirrored(shape) : shape;
+}
+
+std::optional<IdleMove> Waiting::move_at(StreamTime time) const noexcept RAKS_NONBLOCKING {
+    if (count_ == 0 || time < since_) {
+        return std::nullopt;
+    }
+    return nth(static_cast<std::uint64_t>(to_seconds(time - since_) / kMoveSeconds));
+}
+
+void Waiting::lead_hands(StreamTime now, HandRests& hands) const noexcept RAKS_NONBLOCKING {
+    const Moment moment = moment_at(now);
+    std::array<const GestureHand*, 2> led{};
+    if (moment.gesture != nullptr) {
+        for (const GestureHand& hand : moment.gesture->hands) {
+            if (moment.seconds >= hand.from && moment.seconds < hand.to) {
+                const Side side = moment.is_mirrored ? other_than(hand.side) : hand.side;
+                led[static_cast<std::size_t>(side)] = &hand;
+            }
         }
     }
-    put_feet_as(skeleton, stands, pose);
+    for (const Side side : kSides) {
+        if (const GestureHand* const hand = led[static_cast<std::size_t>(side)]) {
+            hands.go_to(side, hand->place, now, kMoveHandsGo);
+        } else {
+            hands.let_go(side, now, kMoveHandsBack);
+        }
+    }
+}
+
+void Waiting::move(const Skeleton& skeleton,
+                   StreamTime time,
+                   const FeltBeat& beat,
+                   Pose& pose) const noexcept RAKS_NONBLOCKING {
+    BodyShape shape = shape_at_moment(moment_at(time));
+    // Down on the beat, up between two.
+    const auto down = static_cast<float>(0.5 + 0.5 * std::cos(2.0 * M_PI * beat.beat));
+    shape.drop += kFeltGive * beat.felt * down;
+    shape.head_nod += kFeltNod * beat.felt * down;
+    apply_shape(skeleton, shape, pose);
+}
+
+void Waiting::shake(StreamTime time, Pose& pose) const noexcept RAKS_NONBLOCKING {
+    const Moment moment = moment_at(time);
+    if (moment.gesture != nullptr) {
+        shake_hands(shape_at_moment(moment),
+                    moment.seconds * static_cast<double>(moment.gesture->rate),
+                    pose);
+    }
 }
 
 }  // namespace raks::motion

@@ -120,28 +120,85 @@ TEST(Dynamics, a_stop_that_is_known_is_stood_when_it_comes) {
     EXPECT_GT(speed(poses, 2210, 2340), 0.7 * full);
 }
 
-TEST(Dynamics, the_end_of_a_known_song_is_a_posture_then_a_bow) {
-    const auto poses = dance(
-        [](HopIndex hop) {
-            MusicState music = playing(hop);
-            music.ahead.is_known = true;
-            music.ahead.ends = time_of_hop(2000);
-            if (hop > 2010) {
-                music.is_silent = true;
-                music.part = MusicPart::stopped;
-            }
-            return music;
-        },
-        3000);
-    const double full = speed(poses, 1000, 1900);
-    EXPECT_LT(speed(poses, 2040, 2160), 0.2 * full) << "holds the last chord";
-    float lowest = 10.0F;
-    for (std::size_t hop = 2200; hop < 2700; ++hop) {
-        lowest =
-            std::min(lowest, world_pose(mannequin_skeleton(), poses[hop]).position(Bone::head).y);
+// A known song whose last beat is at a hop; silence after it.
+test::Music ending(HopIndex last) {
+    return [last](HopIndex hop) {
+        MusicState music = playing(hop);
+        music.ahead.is_known = true;
+        music.ahead.ends = time_of_hop(last);
+        if (hop > last + 10) {
+            music.is_silent = true;
+            music.part = MusicPart::stopped;
+        }
+        return music;
+    };
+}
+
+// Files may stop there, so that nothing after it is seen.
+TEST(Dynamics, the_last_posture_of_a_known_song_stands_on_its_last_beat) {
+    for (const HopIndex last : {1967, 2000, 2033, 2067, 2100, 2133}) {
+        const auto poses = dance(ending(last), last + 150);
+        const auto end = static_cast<std::size_t>(last);
+        const double full = speed(poses, 1000, 1900);
+        EXPECT_GT(speed(poses, end - 60, end - 40), 0.4 * full) << "danced until shortly before";
+        EXPECT_LT(speed(poses, end, end + 3), 0.2 * full) << last;
+        EXPECT_LT(speed(poses, end, end + 140), 0.1 * full) << "holds the last chord";
+        EXPECT_LT(test::largest_step(poses, 0, last + 150), test::kFastestStep);
     }
-    EXPECT_LT(lowest, world_pose(mannequin_skeleton(), poses[2999]).position(Bone::head).y - 0.05F);
-    EXPECT_LT(test::largest_step(poses, 0, 3000), test::kFastestStep);
+}
+
+TEST(Dynamics, the_end_of_a_known_song_is_a_posture_then_thanks_then_life) {
+    const auto poses = dance(ending(2000), 9000);
+    const double full = speed(poses, 1000, 1900);
+    // Settles after 1.8 s, and thanks the audience from 0.6 s later on.
+    EXPECT_GT(speed(poses, 2250, 2400), 0.1 * full);
+    for (std::size_t from = 2200; from + 200 < 9000; from += 100) {
+        EXPECT_GT(speed(poses, from, from + 200), 0.015) << "is not still for 2 s: " << from;
+    }
+    EXPECT_LT(test::largest_step(poses, 0, 9000), test::kFastestStep);
+}
+
+// A song in its midst, its first bar line long ago or, of a clip that was cut out, soon.
+test::Music in_midst(int bars, HopIndex begins) {
+    return [bars, begins](HopIndex hop) {
+        MusicState music = playing(hop);
+        const double beats = music.grid.beats_at(music.time).count();
+        music.ahead.is_known = true;
+        music.ahead.begins =
+            begins > 0 ? time_of_hop(begins) : StreamTime(std::chrono::seconds(-60));
+        music.ahead.ends = stream_time_from_seconds(60.0);
+        music.ahead.bar = begins > hop ? -1 : bars + static_cast<int>(std::floor(beats / 4.0));
+        return music;
+    };
+}
+
+TEST(Dynamics, a_known_song_in_its_midst_is_danced_from_the_first_pose) {
+    const double full = speed(dance(in_midst(0, 0), 3000), 1000, 2900);
+    for (const int bars : {0, 1, 2, 7, 40}) {
+        const auto poses = dance(in_midst(bars, 0), 600);
+        EXPECT_GT(speed(poses, 0, 60), 0.4 * full) << bars;
+        EXPECT_GT(speed(poses, 0, 200), 0.6 * full) << bars;
+        EXPECT_LT(test::largest_step(poses, 0, 600), test::kFastestStep) << bars;
+    }
+    const auto cut = dance(in_midst(0, 90), 600);
+    EXPECT_GT(speed(cut, 0, 80), 0.4 * full) << "the beginning of the first bar is cut off";
+}
+
+TEST(Dynamics, count_1_is_on_the_downbeat_of_a_song_in_its_midst) {
+    Dancer dancer;
+    ASSERT_TRUE(dancer.prepare(
+        Repertoire::of_one(test::salsa_library()), mannequin_skeleton(), DancerPart{}));
+    const auto track = std::make_unique<PoseTrack>();
+    raks::test::RealtimeScope scope;
+    for (HopIndex hop = 0; hop < 800; ++hop) {
+        const MusicState music = in_midst(5, 0)(hop);
+        dancer.advance(music, *track);
+        const double off =
+            music.grid.bar_position(music.grid.beats_at(music.time)) - dancer.status().phase;
+        ASSERT_TRUE(dancer.status().is_dancing);
+        ASSERT_NEAR(std::remainder(off, 4.0), 0.0, 0.1) << hop;
+    }
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
 
 TEST(Dynamics, calm_music_is_danced_smaller) {

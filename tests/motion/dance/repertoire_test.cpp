@@ -106,6 +106,26 @@ TEST(Repertoire, a_new_dance_goes_on_from_the_steps_of_the_old_one_on_a_bar_line
     EXPECT_LT(largest_step(danced), test::kFastestStep);
 }
 
+// Wherever in its turns the old dance is.
+TEST(Repertoire, a_known_song_changes_its_dance_within_two_bars_and_never_with_the_back_to_us) {
+    const double bar = 100.0 * 4.0 * 60.0 / kTempoBpm;
+    for (int line = 11; line < 24; ++line) {
+        const auto heard = static_cast<HopIndex>(std::ceil(line * bar));
+        const auto danced =
+            dance_to(two_dances(Repertoire::Fallback::first), heard + 500, [&](HopIndex hop) {
+                return hop < heard ? shipped::salsa : shipped::belly;
+            });
+        auto begun = static_cast<std::size_t>(heard);
+        while (begun < danced.size() && danced[begun].status.dance != shipped::belly) {
+            ++begun;
+        }
+        ASSERT_LT(begun, danced.size());
+        EXPECT_LT(static_cast<double>(begun) - static_cast<double>(heard), 2.125 * bar) << line;
+        const glm::quat hips = danced[begun].pose.rotation(Bone::hips);
+        EXPECT_GT((hips * glm::vec3(0.0F, 0.0F, 1.0F)).z, -0.2F) << line;
+    }
+}
+
 TEST(Repertoire, feet_that_stand_do_not_slide_into_a_new_dance) {
     const auto danced = dance_to(two_dances(Repertoire::Fallback::first), 3500, to_belly);
     const Skeleton& skeleton = mannequin_skeleton();

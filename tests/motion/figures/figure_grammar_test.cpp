@@ -89,6 +89,37 @@ TEST(FigureGrammar, reads_what_dancers_do_beside_the_figures) {
     }
 }
 
+TEST(FigureGrammar, reads_endings_and_idle_movements_and_goes_on_without_what_it_does_not_know) {
+    const std::string head = "dance = \"salsa\"\n";
+    const auto read = [&](const std::string& lines) {
+        const auto grammar = parse_grammar(replaced(head, head + lines), "x.toml");
+        EXPECT_TRUE(grammar) << lines << grammar.error().message;
+        return grammar ? grammar->habits : DanceHabits();
+    };
+    const DanceHabits own = read("endings = [\"nod\", \"bow\"]\nidle = [\"bang\"]\n");
+    EXPECT_EQ(own.endings, (std::vector<Ending>{Ending::nod, Ending::bow}));
+    EXPECT_EQ(own.idle, (std::vector<IdleMove>{IdleMove::bang}));
+    EXPECT_TRUE(own.notes.empty());
+    EXPECT_TRUE(read("endings = []\n").endings.empty()) << "only stands";
+    struct Row {
+        std::string lines;
+        std::string note;
+        std::vector<Ending> endings;
+    };
+    for (const Row& row : std::vector<Row>{
+             {"endings = [\"bov\", \"wave\", \"wave\"]\n", "did you mean \"bow\"?", {Ending::wave}},
+             {"endings = [7]\n", "x.toml: endings", {}},
+             {"endings = \"bow\"\n", "must be a list of names", DanceHabits().endings},
+             {"idle = [\"tapp\"]\n", "did you mean \"tap\"?", DanceHabits().endings},
+             {"idle = 3\n", "x.toml: idle must be a list of names", DanceHabits().endings}}) {
+        const DanceHabits habits = read(row.lines);
+        ASSERT_EQ(habits.notes.size(), 1U) << row.lines;
+        EXPECT_NE(habits.notes[0].find(row.note), std::string::npos) << habits.notes[0];
+        EXPECT_EQ(habits.notes[0].find('\n'), std::string::npos);
+        EXPECT_EQ(habits.endings, row.endings) << row.lines;
+    }
+}
+
 TEST(FigureGrammar, reads_which_figures_stay_on_their_side) {
     const auto with = [](const std::string& line) {
         return parse_grammar(replaced("[[figure]]\n", "[[figure]]\n" + line), "x.toml");
