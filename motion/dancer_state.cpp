@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/smooth_steps.hpp"
+#include "motion/dance/body/collar_bones.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 #include "motion/dance/dynamics/waiting.hpp"
@@ -166,6 +167,7 @@ Pose Dancer::State::layered(StreamTime now,
         breathe(still.seconds_at_rest(now + ahead), pose);
     }
     hits.apply(now + ahead, pose);
+    limit_collar_bones(skeleton, pose);
     hands.apply(skeleton, now + ahead, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
