@@ -44,11 +44,13 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(const CellDance& dance,
-                                                                  const Skeleton& skeleton) {
+                                                                  const Skeleton& skeleton,
+                                                                  const DanceHabits& habits) {
     auto content = make_cell_content(dance, skeleton);
     if (!content) {
         return fail(std::move(content.error()));
     }
+    take_habits(habits, *content);
     return std::shared_ptr<const DanceLibrary>(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
@@ -68,11 +70,12 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
-    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton) {
+    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton, const DanceHabits& habits) {
     auto content = unpack_cell_content(std::move(bytes), skeleton);
     if (!content) {
         return fail(std::move(content.error()));
     }
+    take_habits(habits, *content);
     return std::shared_ptr<const DanceLibrary>(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }

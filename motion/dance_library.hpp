@@ -34,10 +34,13 @@ class DanceLibrary {
         const Skeleton& skeleton,
         const FigureGrammar* grammar = nullptr,
         Generator generator = Generator::trajectories);
-    /// Solves the takes of a dance of cells (some 100 ms a minute). Errors: a take that cannot be
+    /// Solves the takes of a dance of cells (some 100 ms a minute). `habits`: what its dancers do
+    /// beside the takes. Errors: a take that cannot be
     /// solved, named. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
-        const CellDance& dance, const Skeleton& skeleton);
+        const CellDance& dance,
+        const Skeleton& skeleton,
+        const DanceHabits& habits = DanceHabits());
     /// What build() solved, as bytes for a cache on this machine; unpack() gives the same bits
     /// back. They are valid only for the program, skeleton and grammar that they were solved with.
     /// Threads: workers. Real-time: no.
@@ -50,7 +53,9 @@ class DanceLibrary {
         const FigureGrammar& grammar);
     /// The same of a dance of cells, which has no grammar.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
-        std::shared_ptr<const std::string> bytes, const Skeleton& skeleton);
+        std::shared_ptr<const std::string> bytes,
+        const Skeleton& skeleton,
+        const DanceHabits& habits = DanceHabits());
     /// Out of line, where Content is complete.
     ~DanceLibrary();
     /// The figures' names in the order of `figures`; the views are valid as long as the library

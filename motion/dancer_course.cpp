@@ -120,6 +120,9 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     } else {
         dance_on(music, has_reanchored);
     }
+    if (is_dancing && has_dynamics()) {
+        shape_hands(music);
+    }
 }
 
 // Figures go on unseen while the dancer stands still; cells go on from there.
@@ -251,8 +254,9 @@ void Dancer::State::settle(StreamTime now) noexcept {
     bars_unwanted = 0;
     bows_at.reset();
     still.reset();
+    release_hands(now, kHandsBack);
     for (const Side side : kSides) {
-        hands.let_go(side, now, kHandsBack);
+        fingers.take(side, HandShape::danced, now, shown);
     }
     // A soloist settles facing the audience; one of a couple stays where the dance has led.
     stands_turned = part.is_in_couple && sequence.is_turned();

@@ -153,7 +153,8 @@ Pose Dancer::State::waiting(StreamTime now, Nanos ahead, const Looks& own) const
     moment.beat = grid.beats_at(time).count();
     moment.bowing = bows_at ? to_seconds(time - *bows_at) : -1.0;
     wait(skeleton, moment, pose);
-    hands.apply(skeleton, time, pose);
+    hands.apply(skeleton, time, hands_beat(now, ahead), pose);
+    fingers.apply(time, hands_beat(now, ahead), pose);
     own.apply(skeleton, pose);
     return pose;
 }
@@ -168,7 +169,9 @@ Pose Dancer::State::layered(StreamTime now,
     }
     hits.apply(now + ahead, pose);
     limit_collar_bones(skeleton, pose);
-    hands.apply(skeleton, now + ahead, pose);
+    const double beat = hands_beat(now, ahead);
+    hands.apply(skeleton, now + ahead, beat, pose);
+    fingers.apply(now + ahead, beat, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
         own.apply(skeleton, pose);

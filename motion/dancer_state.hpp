@@ -9,6 +9,7 @@
 #include "motion/dance/cell_listener.hpp"
 #include "motion/dance/dance_sequence.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
+#include "motion/dance/dynamics/hand_shapes.hpp"
 #include "motion/dance/dynamics/hits.hpp"
 #include "motion/dance/dynamics/looks.hpp"
 #include "motion/dance/dynamics/manner.hpp"
@@ -30,6 +31,8 @@ inline constexpr float kStopConfidence = 0.10F;
 inline constexpr double kNearPhraseEnd = 0.3;
 /// Seconds in which hands come back into the dance
 inline constexpr double kHandsBack = 0.70;
+/// Seconds in which hands go to where they rest
+inline constexpr double kHandsToRest = 0.75;
 
 /// How far a dance has come: what another dancer can go on from.
 struct Dancer::Course {
@@ -71,6 +74,9 @@ struct Dancer::Course {
     CellMusic asked;  // of a dance of cells, at the last hop
     Hits hits;
     HandRests hands;
+    std::optional<HandPlace> last_rest{};
+    std::optional<StreamTime> rest_ends{};  // of a hand that lies still
+    HandShapes fingers;
     BeatGrid grid;                        // of the last hop
     float felt = 0.0F;                    // [0, 1]: how much of the beat is felt, while waiting
     std::optional<StreamTime> bows_at{};  // a bow begins
@@ -103,7 +109,7 @@ struct Dancer::State : Dancer::Course {
     void apply(const DancerCommand& command) noexcept;
     void allow(double number, bool is_allowed) noexcept;
 
-    // Decisions of one hop (dancer_course.cpp, dancer_stillness.cpp).
+    // Decisions of one hop (dancer_course.cpp, dancer_hands.cpp, dancer_stillness.cpp).
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     void advance_sequence(const MusicState& music, bool has_reanchored) noexcept;
@@ -122,6 +128,10 @@ struct Dancer::State : Dancer::Course {
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
     void resume(const MusicState& music) noexcept;
     void rest_hands(const MusicState& music) noexcept;
+    void end_rest(StreamTime now) noexcept;
+    void release_hands(StreamTime now, double seconds) noexcept;
+    void shape_hands(const MusicState& music) noexcept;
+    [[nodiscard]] double hands_beat(StreamTime now, Nanos ahead) const noexcept;
     void show_pose(StreamTime now) noexcept;
     [[nodiscard]] DanceId wanted(DanceId recognized) const noexcept;
 

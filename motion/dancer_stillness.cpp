@@ -34,11 +34,9 @@ constexpr double kRestLasts = 1.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
 constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
 constexpr double kHandsToPose = 0.50;      // seconds
-constexpr double kHandsToRest = 0.75;      // seconds
 
 // Streams of random numbers.
 constexpr std::uint64_t kPauseStream = 3;
-constexpr std::uint64_t kRestStream = 4;
 constexpr std::uint64_t kPoseStream = 5;
 
 /// Where both hands are while the dancer stands still; none: where the dance left it.
@@ -103,7 +101,7 @@ void Dancer::State::bow(StreamTime now) noexcept {
         return;
     }
     if (now < *bows_at + nanos_from_seconds(kBowSeconds)) {
-        hands.go_to(Side::right, HandPlace::waist, now, kHandsToRest);
+        hands.go_to(Side::right, HandPlace::waist, now, hands_beat(now, Nanos(0)), kHandsToRest);
     } else {
         hands.let_go(Side::right, now, kHandsBack);
         bows_at.reset();
@@ -232,7 +230,7 @@ void Dancer::State::show_pose(StreamTime now) noexcept {
     const std::array<std::optional<HandPlace>, 2> places = {posture.left, posture.right};
     for (const Side side : kSides) {
         if (const auto& place = places[static_cast<std::size_t>(side)]) {
-            hands.go_to(side, *place, now, kHandsToPose);
+            hands.go_to(side, *place, now, hands_beat(now, Nanos(0)), kHandsToPose);
         }
     }
 }
@@ -243,31 +241,8 @@ void Dancer::State::resume(const MusicState& music) noexcept {
     still.end();
     sequence.go_on_from(key, shown_phase(music.time, Nanos(0)));
     figure_rested = ~0ULL;
-    for (const Side side : kSides) {
-        hands.let_go(side, music.time, kHandsBack);
-    }
+    release_hands(music.time, kHandsBack);
     change(music.time);
-}
-
-/// Lets a hand rest for a figure, more often in calm music.
-void Dancer::State::rest_hands(const MusicState& music) noexcept {
-    if (figure_rested == sequence.number() || part.is_in_couple || sequence.is_of_cells()) {
-        return;
-    }
-    figure_rested = sequence.number();
-    const DanceHabits& habits = content().chooser.habits();
-    const CounterRandom random(part.ways, kRestStream);
-    const double calm = 1.5 - static_cast<double>(manner.energy());
-    for (const Side side : kSides) {
-        const std::uint64_t draw = 4 * figure_rested + 2 * static_cast<std::uint64_t>(side);
-        if (random.uniform(draw) < habits.rests * calm) {
-            const std::uint64_t place = random.below(draw + 1, habits.rest_at.size());
-            hands.go_to(
-                side, habits.rest_at[static_cast<std::size_t>(place)], music.time, kHandsToRest);
-        } else {
-            hands.let_go(side, music.time, kHandsToRest);
-        }
-    }
 }
 
 }  // namespace raks::motion

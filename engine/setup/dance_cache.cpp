@@ -164,12 +164,13 @@ std::shared_ptr<const motion::DanceLibrary> DanceCache::find(const fs::path& pat
 }
 
 std::shared_ptr<const motion::DanceLibrary> DanceCache::find(const fs::path& path,
-                                                             const motion::Skeleton& skeleton) {
+                                                             const motion::Skeleton& skeleton,
+                                                             const motion::DanceHabits& habits) {
     auto bytes = kept_bytes(path);
     if (!bytes) {
         return nullptr;
     }
-    auto library = motion::DanceLibrary::unpack(std::move(bytes), skeleton);
+    auto library = motion::DanceLibrary::unpack(std::move(bytes), skeleton, habits);
     return library ? std::move(*library) : nullptr;
 }
 

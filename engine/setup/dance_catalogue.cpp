@@ -11,6 +11,7 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -132,8 +133,16 @@ void DanceCatalogue::add(CatalogueEntry entry) {
         return;
     }
     // A dance is listed only when its figures can be put in order, or it has cells.
-    entry.has_figures = is_there(grammar_path(entry.folder, entry.info.name));
     entry.has_cells = is_there(cells_path(entry.folder, entry.info.name));
+    if (const fs::path written = grammar_path(entry.folder, entry.info.name); is_there(written)) {
+        const auto habits = motion::habits_of_file(written);
+        entry.has_figures = !habits || habits->has_figures || !entry.has_cells;
+        if (habits) {
+            notes_.insert(notes_.end(), habits->faults.begin(), habits->faults.end());
+        } else if (entry.has_cells) {  // which are danced all the same
+            notes_.push_back(habits.error().message);
+        }
+    }
     if (!entry.has_figures && !entry.has_cells) {
         notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
                                      entry.folder.string(),

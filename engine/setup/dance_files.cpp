@@ -13,6 +13,7 @@
 #include "engine/setup/settings.hpp"
 #include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -248,15 +249,20 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_cell_dance(
     if (!bytes) {
         return fail(bytes.error());
     }
+    // Of a file that cannot be read the catalogue has told.
+    const std::filesystem::path beside = grammar_path(entry.folder, dance);
+    const auto written =
+        is_there(beside) ? motion::habits_of_file(beside) : Expected<motion::WrittenHabits>();
+    const motion::DanceHabits habits = written ? written->habits : motion::DanceHabits();
     const std::filesystem::path kept = cache.path_of(dance, *bytes, skeleton);
-    if (auto found = DanceCache::find(kept, skeleton)) {
+    if (auto found = DanceCache::find(kept, skeleton, habits)) {
         return found;
     }
     const auto cells = motion::parse_cells(*bytes, file.filename().string());
     if (!cells) {
         return fail(cells.error());
     }
-    auto library = motion::DanceLibrary::build(*cells, skeleton);
+    auto library = motion::DanceLibrary::build(*cells, skeleton, habits);
     if (library) {
         DanceCache::keep(kept, **library);
     }
