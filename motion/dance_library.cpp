@@ -50,7 +50,7 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(const CellDanc
     if (!content) {
         return fail(std::move(content.error()));
     }
-    content->chooser = FigureChooser::without_figures(habits);
+    take_habits(habits, *content);
     return std::shared_ptr<const DanceLibrary>(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }
@@ -70,14 +70,12 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
-    std::shared_ptr<const std::string> bytes,
-    const Skeleton& skeleton,
-    const DanceHabits& habits) {
+    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton, const DanceHabits& habits) {
     auto content = unpack_cell_content(std::move(bytes), skeleton);
     if (!content) {
         return fail(std::move(content.error()));
     }
-    content->chooser = FigureChooser::without_figures(habits);
+    take_habits(habits, *content);
     return std::shared_ptr<const DanceLibrary>(
         new DanceLibrary(std::make_unique<const Content>(Content{std::move(*content)})));
 }

@@ -39,7 +39,9 @@ class DanceLibrary {
     /// beside the takes. Errors: a take that cannot be
     /// solved, named. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> build(
-        const CellDance& dance, const Skeleton& skeleton, const DanceHabits& habits = {});
+        const CellDance& dance,
+        const Skeleton& skeleton,
+        const DanceHabits& habits = DanceHabits());
     /// What build() solved, as bytes for a cache on this machine; unpack() gives the same bits
     /// back. They are valid only for the program, skeleton and grammar that they were solved with.
     /// Threads: workers. Real-time: no.
@@ -54,7 +56,7 @@ class DanceLibrary {
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
         std::shared_ptr<const std::string> bytes,
         const Skeleton& skeleton,
-        const DanceHabits& habits = {});
+        const DanceHabits& habits = DanceHabits());
     /// Out of line, where Content is complete.
     ~DanceLibrary();
     /// The figures' names in the order of `figures`; the views are valid as long as the library

@@ -138,6 +138,9 @@ void Dancer::State::go_on(const MusicState& music) noexcept {
     } else {
         dance_on(music, has_reanchored);
     }
+    if (is_dancing && has_dynamics()) {
+        shape_hands(music);
+    }
 }
 
 // Figures go on unseen while the dancer stands still; cells go on from there.
@@ -224,7 +227,7 @@ void Dancer::State::begin_bars_ago(const MusicState& music, bool is_turned, int 
     listener.begin();
     delay = sequence.figure().landing_delay;
     if (!was_dancing) {
-        let_hands_go(music.time);
+        release_hands(music.time, kHandsBack);
         phrases.begin(music.grid, music.time);
     }
 }
@@ -312,7 +315,10 @@ void Dancer::State::settle(StreamTime now) noexcept {
     bars_to_wait = part.bars_late;
     bars_unwanted = 0;
     still.reset();
-    let_hands_go(now);
+    release_hands(now, kHandsBack);
+    for (const Side side : kSides) {
+        fingers.take(side, HandShape::danced, now, shown);
+    }
     idle.begin(now, content().chooser.habits(), part.ways + ++settled);
     // A soloist settles facing the audience; one of a couple stays where the dance has led.
     stands_turned = part.is_in_couple && sequence.is_turned();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/smooth_steps.hpp"
+#include "motion/dance/body/collar_bones.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
@@ -138,7 +139,8 @@ Pose Dancer::State::waiting(StreamTime now, Nanos ahead, const Looks& own) const
     // A movement turns the head away from what is looked at.
     own.apply(skeleton, pose);
     idle.move(skeleton, time, {felt, grid.beats_at(time).count()}, pose);
-    hands.apply(skeleton, time, pose);
+    hands.apply(skeleton, time, hands_beat(now, ahead), pose);
+    fingers.apply(time, hands_beat(now, ahead), pose);
     idle.shake(time, pose);
     return pose;
 }
@@ -152,7 +154,10 @@ Pose Dancer::State::layered(StreamTime now,
         breath.apply(now + ahead, pose);
     }
     hits.apply(now + ahead, pose);
-    hands.apply(skeleton, now + ahead, pose);
+    limit_collar_bones(skeleton, pose);
+    const double beat = hands_beat(now, ahead);
+    hands.apply(skeleton, now + ahead, beat, pose);
+    fingers.apply(now + ahead, beat, pose);
     // One of a couple looks at the other.
     if (has_dynamics() && !part.is_in_couple) {
         own.apply(skeleton, pose);

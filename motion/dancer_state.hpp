@@ -11,6 +11,7 @@
 #include "motion/dance/dynamics/breath.hpp"
 #include "motion/dance/dynamics/feelings.hpp"
 #include "motion/dance/dynamics/hand_rests.hpp"
+#include "motion/dance/dynamics/hand_shapes.hpp"
 #include "motion/dance/dynamics/hits.hpp"
 #include "motion/dance/dynamics/looks.hpp"
 #include "motion/dance/dynamics/manner.hpp"
@@ -33,6 +34,8 @@ inline constexpr float kStopConfidence = 0.10F;
 inline constexpr double kNearPhraseEnd = 0.3;
 /// Seconds in which hands come back into the dance
 inline constexpr double kHandsBack = 0.70;
+/// Seconds in which hands go to where they rest
+inline constexpr double kHandsToRest = 0.75;
 
 /// How far a dance has come: what another dancer can go on from.
 struct Dancer::Course {
@@ -75,10 +78,13 @@ struct Dancer::Course {
     CellMusic asked;  // of a dance of cells, at the last hop
     Hits hits;
     HandRests hands;
+    std::optional<HandPlace> last_rest{};
+    std::optional<StreamTime> rest_ends{};  // of a hand that lies still
+    HandShapes fingers;
     BeatGrid grid;      // of the last hop
     float felt = 0.0F;  // [0, 1]: how much of the beat is felt, while waiting
     Waiting idle;
-    std::uint64_t settled = 0;       // how often the dancer has settled
+    std::uint64_t settled = 0;      // how often the dancer has settled
     std::uint64_t songs_ended = 0;  // which ending comes next
     PlantedFeet feet;
     Looks looks;
@@ -111,7 +117,7 @@ struct Dancer::State : Dancer::Course {
     void apply(const DancerCommand& command) noexcept;
     void allow(double number, bool is_allowed) noexcept;
 
-    // Decisions of one hop (dancer_course.cpp, dancer_stillness.cpp).
+    // Decisions of one hop (dancer_course.cpp, dancer_hands.cpp, dancer_stillness.cpp).
     void decide(const MusicState& music) noexcept;
     void go_on(const MusicState& music) noexcept;
     void advance_sequence(const MusicState& music, bool has_reanchored) noexcept;
@@ -132,8 +138,11 @@ struct Dancer::State : Dancer::Course {
     [[nodiscard]] bool stop_with(const MusicState& music) noexcept;
     void stand_still(const MusicState& music, Cause why, double earliest, double latest) noexcept;
     void resume(const MusicState& music) noexcept;
-    void let_hands_go(StreamTime now) noexcept;
     void rest_hands(const MusicState& music) noexcept;
+    void end_rest(StreamTime now) noexcept;
+    void release_hands(StreamTime now, double seconds) noexcept;
+    void shape_hands(const MusicState& music) noexcept;
+    [[nodiscard]] double hands_beat(StreamTime now, Nanos ahead) const noexcept;
     void show_pose(StreamTime now, double seconds) noexcept;
     [[nodiscard]] DanceId wanted(DanceId recognized) const noexcept;
 

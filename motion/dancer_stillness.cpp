@@ -24,7 +24,7 @@ constexpr double kFarthestKeySeconds = 0.18;  // and never farther: slow music s
 constexpr double kBeforeEnd = 1.2;
 constexpr double kNearestEnd = 0.40;
 constexpr double kFarthestEnd = 0.80;
-constexpr double kBeforeKnownStop = 0.6;      // beats before a stop that is known
+constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
 // A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
 // danced.
@@ -39,11 +39,9 @@ constexpr double kRestLasts = 1.5;
 constexpr HopIndex kHopsBetweenLooks = 8;  // a look ahead costs up to twenty poses
 constexpr double kLivelyEnough = 0.2;      // energy from which phrases end in pauses
 constexpr double kHandsToPose = 0.50;      // seconds
-constexpr double kHandsToRest = 0.75;      // seconds
 
 // Streams of random numbers.
 constexpr std::uint64_t kPauseStream = 3;
-constexpr std::uint64_t kRestStream = 4;
 constexpr std::uint64_t kPoseStream = 5;
 constexpr std::uint64_t kEndingStream = 8;
 
@@ -265,7 +263,7 @@ void Dancer::State::show_pose(StreamTime now, double seconds) noexcept {
     const std::array<std::optional<HandPlace>, 2> places = {posture.left, posture.right};
     for (const Side side : kSides) {
         if (const auto& place = places[static_cast<std::size_t>(side)]) {
-            hands.go_to(side, *place, now, seconds);
+            hands.go_to(side, *place, now, hands_beat(now, Nanos(0)), seconds);
         }
     }
 }
@@ -276,35 +274,8 @@ void Dancer::State::resume(const MusicState& music) noexcept {
     still.end();
     sequence.go_on_from(key, shown_phase(music.time, Nanos(0)));
     figure_rested = ~0ULL;
-    let_hands_go(music.time);
+    release_hands(music.time, kHandsBack);
     change(music.time);
-}
-
-void Dancer::State::let_hands_go(StreamTime now) noexcept {
-    for (const Side side : kSides) {
-        hands.let_go(side, now, kHandsBack);
-    }
-}
-
-/// Lets a hand rest for a figure, more often in calm music.
-void Dancer::State::rest_hands(const MusicState& music) noexcept {
-    if (figure_rested == sequence.number() || part.is_in_couple || sequence.is_of_cells()) {
-        return;
-    }
-    figure_rested = sequence.number();
-    const DanceHabits& habits = content().chooser.habits();
-    const CounterRandom random(part.ways, kRestStream);
-    const double calm = 1.5 - static_cast<double>(manner.energy());
-    for (const Side side : kSides) {
-        const std::uint64_t draw = 4 * figure_rested + 2 * static_cast<std::uint64_t>(side);
-        if (random.uniform(draw) < habits.rests * calm) {
-            const std::uint64_t place = random.below(draw + 1, habits.rest_at.size());
-            hands.go_to(
-                side, habits.rest_at[static_cast<std::size_t>(place)], music.time, kHandsToRest);
-        } else {
-            hands.let_go(side, music.time, kHandsToRest);
-        }
-    }
 }
 
 }  // namespace raks::motion

@@ -249,6 +249,7 @@ ExitCode ShowSession::run() {
     if (files_) {
         say_skipped(*files_);
     }
+    loop_->finish();
     // A signal does not wait for dances that are still being solved.
     const EndAtOnceOnSignals at_once;
     // Dances that were left out meanwhile.

@@ -197,8 +197,13 @@ DanceChoice::Dancers StageLoop::dancers() {
             graph_ != nullptr ? graph_->stage().dancer : motion::DancerStatus{}};
 }
 
-// The graph has gone before. Where nothing was played, something else was said.
-StageLoop::~StageLoop() {
+StageLoop::~StageLoop() { finish(); }
+
+// Where nothing was played, something else was said.
+void StageLoop::finish() {
+    if (std::exchange(has_finished_, true)) {
+        return;
+    }
     if (window_) {
         options_.kept.close(*window_);
     }

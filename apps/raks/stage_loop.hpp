@@ -104,7 +104,11 @@ class StageLoop final : private engine::WindowContent {
     /// Not copied: actions and window hold references to it.
     StageLoop(const StageLoop&) = delete;
     StageLoop& operator=(const StageLoop&) = delete;  ///< likewise
-    ~StageLoop() override;                            ///< completes a film that is recorded
+    ~StageLoop() override;                            ///< finish()
+
+    /// Completes a film that is recorded, and keeps what the window was, once. For an end that does
+    /// not come to the destructor.
+    void finish();
 
     /// Runs until the music ends, a person or a signal ends it, or the time is up. `graph` must
     /// outlive the call. Returns why it ended.
@@ -199,6 +203,7 @@ class StageLoop final : private engine::WindowContent {
     std::optional<engine::WindowLoop> window_;
     std::unique_ptr<VideoShow> video_;  // needs the context of one of both
     ShowRecording recording_;           // likewise
+    bool has_finished_ = false;
     engine::Staging staging_;
     engine::LiveActions live_actions_;
     std::unique_ptr<engine::Outputs> outputs_;

@@ -43,7 +43,7 @@ class DanceCache {
     [[nodiscard]] static std::shared_ptr<const motion::DanceLibrary> find(
         const std::filesystem::path& path,
         const motion::Skeleton& skeleton,
-        const motion::DanceHabits& habits = {});
+        const motion::DanceHabits& habits);
     /// Writes a dance to its file, and removes older files of the same dance, role, form and body;
     /// of all avatars' bodies together the last 96 stay.
     static void keep(const std::filesystem::path& path, const motion::DanceLibrary& library);

@@ -11,7 +11,7 @@
 #include "base/suggest.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "engine/setup/settings.hpp"
-#include "motion/figures/dance_mood_reader.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -133,8 +133,18 @@ void DanceCatalogue::add(CatalogueEntry entry) {
         return;
     }
     // A dance is listed only when its figures can be put in order, or it has cells.
-    entry.has_figures = is_there(grammar_path(entry.folder, entry.info.name));
     entry.has_cells = is_there(cells_path(entry.folder, entry.info.name));
+    if (const fs::path written = grammar_path(entry.folder, entry.info.name); is_there(written)) {
+        const auto habits = motion::habits_of_file(written);
+        entry.has_figures = !habits || habits->has_figures || !entry.has_cells;
+        if (habits) {
+            const auto& notes = habits->habits.notes;
+            notes_.insert(notes_.end(), notes.begin(), notes.end());
+            entry.mood = habits->mood;
+        } else if (entry.has_cells) {  // which are danced all the same
+            notes_.push_back(habits.error().message);
+        }
+    }
     if (!entry.has_figures && !entry.has_cells) {
         notes_.push_back(fmt::format("{}: {} is not there, so that {} cannot be danced",
                                      entry.folder.string(),
@@ -150,27 +160,7 @@ void DanceCatalogue::add(CatalogueEntry entry) {
                                      entry.folder.string()));
         return;
     }
-    if (entry.has_figures) {
-        read_habits(entry);
-    }
     entries_.push_back(std::move(entry));
-}
-
-/// Takes the mood from the dance's file. What in it is left out is noted; what is wrong with the
-/// whole file is said when the dance is loaded.
-void DanceCatalogue::read_habits(CatalogueEntry& entry) {
-    const fs::path file = grammar_path(entry.folder, entry.info.name);
-    const auto grammar = motion::load_grammar(file);
-    if (!grammar) {
-        return;
-    }
-    const auto& notes = grammar->habits.notes;
-    notes_.insert(notes_.end(), notes.begin(), notes.end());
-    const auto mood = motion::load_mood(file);
-    if (!mood) {
-        notes_.push_back(mood.error().message + "; faces go without it");
-    }
-    entry.mood = mood.value_or(motion::DanceMood());
 }
 
 void DanceCatalogue::join_extensions() {

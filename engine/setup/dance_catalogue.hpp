@@ -107,7 +107,6 @@ class DanceCatalogue {
  private:
     void add_folder(const std::filesystem::path& folder, DanceOrigin origin);
     void add(CatalogueEntry entry);
-    void read_habits(CatalogueEntry& entry);
     void join_extensions();
     void number_dances();
 

@@ -13,7 +13,7 @@
 #include "engine/setup/settings.hpp"
 #include "motion/cells/cell_file.hpp"
 #include "motion/dance_library.hpp"
-#include "motion/figures/figure_grammar.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -249,12 +249,11 @@ Expected<std::shared_ptr<const motion::DanceLibrary>> load_cell_dance(
     if (!bytes) {
         return fail(bytes.error());
     }
-    // A dance that has figures, too, says there what its dancers do beside them.
-    motion::DanceHabits habits;
-    if (entry.has_figures) {
-        auto grammar = motion::load_grammar(grammar_path(entry.folder, dance));
-        habits = grammar ? std::move(grammar->habits) : habits;
-    }
+    // Of a file that cannot be read the catalogue has told.
+    const std::filesystem::path beside = grammar_path(entry.folder, dance);
+    const auto written =
+        is_there(beside) ? motion::habits_of_file(beside) : Expected<motion::WrittenHabits>();
+    const motion::DanceHabits habits = written ? written->habits : motion::DanceHabits();
     const std::filesystem::path kept = cache.path_of(dance, *bytes, skeleton);
     if (auto found = DanceCache::find(kept, skeleton, habits)) {
         return found;

@@ -130,4 +130,10 @@ Expected<DanceContent> make_cell_content(const CellDance& dance, const Skeleton&
     return content;
 }
 
+void take_habits(const DanceHabits& habits, DanceContent& content) {
+    FigureGrammar grammar;
+    grammar.habits = habits;
+    content.chooser = FigureChooser(std::move(grammar), {});
+}
+
 }  // namespace raks::motion

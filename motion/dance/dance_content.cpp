@@ -10,6 +10,7 @@
 #include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/baking/variation.hpp"
 #include "motion/dance/body/hands.hpp"
+#include "motion/dance/body/isolation.hpp"
 #include "motion/figures/motion_features.hpp"
 #include "motion/skeleton/pose.hpp"
 
@@ -377,6 +378,8 @@ void take_rules(const FigureGrammar& grammar, DanceContent& content) {
         LibraryFigure& figure = content.figures[i];
         figure.holds = grammar.rules[i].holds;
         figure.can_slow = grammar.rules[i].can_slow;
+        figure.hands = grammar.rules[i].hands;
+        figure.still = grammar.rules[i].still;
         if (!grammar.couple) {
             figure.holds = {{Side::left, Side::right, 0.0, static_cast<double>(figure.beats)}};
         }
@@ -492,6 +495,7 @@ Pose pose_of(const DanceContent& content,
     if (const FigureSize size = size_of(choice, manner); !size.is_as_learnt()) {
         resize(figure.middle, size, content.skeleton, pose);
     }
+    keep_still(content.skeleton, figure.still, figure.middle.pose, pose);
     return pose;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,15 +34,17 @@ struct LibraryFigure {
     FloorMove place;
     bool turns_half = false;                  ///< ends half a turn from where it began
     std::array<std::vector<double>, 2> fist;  ///< as FigureModel has it
-    Nanos landing_delay{};                ///< of its steps at its learnt tempo; landing_delay.hpp
-    std::vector<FigurePassage> passages;  ///< DanceContent::kPassages; the first as learnt
-    ArmMixes arms_mix{};                  ///< which passages' arms may be mixed
-    Bpm learnt_tempo{120.0};              ///< mean over its repeats
-    SizeByTempo size_by_tempo;            ///< law of its size at other tempi
-    FigureMiddle middle;                  ///< what its movements scale about
-    std::vector<HeldHands> holds;         ///< of a couple; as the grammar says
-    FigureSides sides;                    ///< how it is danced left for right
-    bool can_slow = false;                ///< also danced at half the tempo; as the grammar says
+    Nanos landing_delay{};                  ///< of its steps at its learnt tempo; landing_delay.hpp
+    std::vector<FigurePassage> passages;    ///< DanceContent::kPassages; the first as learnt
+    ArmMixes arms_mix{};                    ///< which passages' arms may be mixed
+    Bpm learnt_tempo{120.0};                ///< mean over its repeats
+    SizeByTempo size_by_tempo;              ///< law of its size at other tempi
+    FigureMiddle middle;                    ///< what its movements scale about
+    std::vector<HeldHands> holds;           ///< of a couple; as the grammar says
+    FigureSides sides;                      ///< how it is danced left for right
+    bool can_slow = false;                  ///< also danced at half the tempo; as the grammar says
+    std::optional<HandShapeWeights> hands;  ///< shapes of its hands; as the grammar says
+    StillPart still = StillPart::nothing;   ///< while its hips move; as the grammar says
 };
 
 /// All that a dancer reads of a library.
@@ -75,6 +78,9 @@ struct DanceContent {
 /// Threads: workers; starts two of its own. Real-time: no.
 [[nodiscard]] Expected<DanceContent> make_cell_content(const CellDance& dance,
                                                        const Skeleton& skeleton);
+
+/// Sets what the dancers of a dance of cells do beside its takes.
+void take_habits(const DanceHabits& habits, DanceContent& content);
 
 /// Sets what follows from the grammar alone: the holds of the content and of its figures, which are
 /// in the order of the grammar's rules, and which figures can be danced left for right or slowly.

@@ -91,6 +91,7 @@ class GrammarReader {
                                   "rest_at",
                                   "endings",
                                   "idle",
+                                  "hands",
                                   "mirror",
                                   "mood",
                                   "lead",
@@ -313,7 +314,9 @@ class GrammarReader {
                                   "lead_aside",
                                   "follow_aside",
                                   "holds",
+                                  "hands",
                                   "mirror",
+                                  "still",
                                   "half_tempo"});
             !ok) {
             return ok;
@@ -366,6 +369,21 @@ class GrammarReader {
                                         key,
                                         kFarthestAside));
             }
+        }
+        if (const toml::node* const hands = table->get("hands")) {
+            HandShapeWeights shapes{};
+            std::vector<std::string> untold;  // by habits_of_file()
+            if (read_shapes(*hands, shapes, untold)) {
+                rule.hands = shapes;
+            }
+        }
+        if (table->contains("still")) {
+            const std::string still = (*table)["still"].value_or(std::string());
+            const auto named = std::find(kStillPartNames.begin(), kStillPartNames.end(), still);
+            if (named == kStillPartNames.end()) {
+                return fail(where(node) + ": " + unknown_name("still", still, kStillPartNames));
+            }
+            rule.still = static_cast<StillPart>(named - kStillPartNames.begin());
         }
         if (auto ok = read_holds(*table, rule); !ok) {
             return ok;

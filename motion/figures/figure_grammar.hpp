@@ -33,6 +33,8 @@ struct FigureGrammar {
         /// It may be danced left for right; not what a hand does by its nature, such as to play
         bool can_mirror = true;
         bool can_slow = false;  ///< it may be danced at half the tempo, to calm music
+        std::optional<HandShapeWeights> hands;  ///< shapes of its hands; none: those of the dance
+        StillPart still = StillPart::nothing;   ///< what stays in the room while the hips move
     };
     /// Where one partner of a couple stands.
     struct Place {
@@ -65,16 +67,17 @@ struct FigureGrammar {
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
 /// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at,
-/// mirror, endings and idle (see DanceHabits), and one [[figure]] each with name, energy, `seen`
-/// (default 1) and `after` = { figure = weight, ... }; without `after` every other figure follows,
-/// weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left, forward] and
-/// heading in degrees, and in a figure lead_aside and follow_aside = [left, forward]; [couple] with
-/// hold
+/// mirror, endings, idle and [hands] (see DanceHabits), and one [[figure]] each with name, energy,
+/// `seen` (default 1) and `after` = { figure = weight, ... }; without `after` every other figure
+/// follows, weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left,
+/// forward] and heading in degrees, and in a figure lead_aside and follow_aside = [left, forward];
+/// [couple] with hold
 /// ("none", "hands" or "closed") and apart = [left, forward], and in a figure mirror (default
-/// true), half_tempo (default false) and holds = [{ lead, follow ("left" or "right"), from, to
-/// (beats) }, ...]. Errors, one line: not readable, not TOML, another format, a newer version,
-/// unknown keys and figures (the nearest name is given), two figures of one name, weights that are
-/// negative or no numbers, a figure that nothing follows. Threads: workers. Real-time: no.
+/// true), half_tempo (default false), hands (shapes), still ("chest" or "head") and holds = [{
+/// lead, follow ("left" or "right"), from, to (beats) }, ...]. Errors, one line: not readable, not
+/// TOML, another format, a newer version, unknown keys and figures (the nearest name is given), two
+/// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
+/// Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);

@@ -203,6 +203,22 @@ TEST_F(Record, what_was_danced_plays_when_the_program_is_killed) {
     EXPECT_GT(sound(name).size(), 4U * 48'000U);
 }
 
+TEST_F(Record, is_finished_when_the_program_is_told_to_end) {
+    write_clicks("clicks.wav", 60.0);
+    CapturedProcess raks(plan(play({"--record", path("x.mp4")})));
+    ASSERT_TRUE(raks.wait_until([&](const ProcessResult&) {
+        const auto there = files();
+        return std::any_of(there.begin(), there.end(), [&](const std::string& name) {
+            return name.find("x.mp4") != std::string::npos && pictures(name).size() > 30 * kGrey;
+        });
+    }));
+    raks.send(SIGINT);
+    const ProcessResult ended = raks.wait();
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_NE(ended.err.find("recorded: " + path("x.mp4")), std::string::npos) << ended.err;
+    EXPECT_GT(pictures("x.mp4").size(), 30 * kGrey);
+}
+
 TEST_F(Record, refuses_what_it_cannot_write_before_it_plays) {
     write_clicks("clicks.wav", 1.0);
     ASSERT_TRUE(write_file(path("x.mp4"), "precious"));

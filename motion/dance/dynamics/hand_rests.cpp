@@ -12,16 +12,71 @@
 
 namespace raks::motion {
 
+std::optional<HandPlace> another_place(std::span<const HandPlace> places,
+                                       std::optional<HandPlace> last,
+                                       double at) noexcept RAKS_NONBLOCKING {
+    const auto is_other = [&](HandPlace place) { return place != last; };
+    const auto others = std::count_if(places.begin(), places.end(), is_other);
+    auto left = static_cast<std::ptrdiff_t>(at * static_cast<double>(others));
+    for (const HandPlace place : places) {
+        if (is_other(place) && left-- == 0) {
+            return place;
+        }
+    }
+    return std::nullopt;
+}
+
 const std::array<HandRests::Rest, kHandPlaceNames.size()> HandRests::kRests = {{
-    {{0.16F, -0.92F, 0.10F}, {0.4F, 0.0F, -1.0F}},    // thigh
-    {{0.06F, -0.66F, 0.04F}, {1.0F, 0.1F, -0.25F}},   // hip
-    {{-0.18F, -0.52F, 0.44F}, {0.8F, -0.5F, -0.2F}},  // waist
-    {{-0.14F, -0.20F, 0.56F}, {0.8F, -0.6F, 0.0F}},   // chest
-    {{0.88F, 0.02F, 0.28F}, {0.1F, -1.0F, -0.3F}},    // wide
-    {{0.42F, 0.82F, 0.22F}, {0.8F, -0.3F, 0.2F}},     // high
-    {{0.50F, -0.78F, 0.20F}, {0.5F, -0.2F, -1.0F}},   // low
-    {{0.34F, -0.30F, 0.76F}, {0.5F, -1.0F, 0.0F}},    // offered
+    {{0.17F, -0.91F, 0.16F}, {0.4F, 0.0F, -1.0F}},                // thigh
+    {{0.06F, -0.66F, 0.04F}, {1.0F, 0.1F, -0.25F}},               // hip
+    {{-0.18F, -0.52F, 0.44F}, {0.8F, -0.5F, -0.2F}},              // waist
+    {{-0.14F, -0.20F, 0.56F}, {0.8F, -0.6F, 0.0F}},               // chest
+    {{0.88F, 0.02F, 0.28F}, {0.1F, -1.0F, -0.3F}},                // wide
+    {{0.42F, 0.82F, 0.22F}, {0.8F, -0.3F, 0.2F}},                 // high
+    {{0.50F, -0.78F, 0.20F}, {0.5F, -0.2F, -1.0F}},               // low
+    {{0.34F, -0.30F, 0.76F}, {0.5F, -1.0F, 0.0F}},                // offered
+    {{0.22F, -0.80F, 0.46F}, {0.4F, -0.2F, -1.0F}},               // swing
+    {{0.46F, -0.06F, 0.50F}, {0.4F, -1.0F, -0.2F}, 0.5F, -0.2F},  // snap
+    {{-0.23F, -0.18F, 0.60F}, {0.6F, -1.0F, -0.1F}},              // clap
+    {{0.38F, -0.86F, 0.12F}, {0.5F, 0.0F, -1.0F}, 0.0F, -0.3F},   // skirt
+    {{0.07F, 0.42F, -0.06F}, {1.0F, 0.35F, -0.1F}},               // head
+    {{0.60F, 0.10F, 0.52F}, {0.5F, -1.0F, -0.3F}, 0.5F},          // frame
 }};
+
+const std::array<HandRests::Sway, kHandPlaceNames.size()> HandRests::kSways = {{
+    {.by = {0.03F, 0.0F, -0.16F}},                            // thigh
+    {},                                                       // hip
+    {},                                                       // waist
+    {},                                                       // chest
+    {},                                                       // wide
+    {},                                                       // high
+    {},                                                       // low
+    {},                                                       // offered
+    {.by = {0.10F, -0.10F, -0.62F}, .alternates = true},      // swing
+    {.by = {0.06F, 0.13F, -0.06F}, .sharpness = 0.8F},        // snap
+    {.by = {0.27F, 0.02F, -0.03F}, .sharpness = 0.9F},        // clap
+    {.by = {0.03F, 0.10F, 0.20F}, .every = 3.0, .hit = 0.0},  // skirt
+    {.by = {0.03F, 0.05F, 0.0F}, .every = 4.0},               // head
+    {.by = {0.0F, 0.03F, 0.02F}, .every = 3.0},               // frame
+}};
+
+float HandRests::Sway::at(double beat, Side side) const noexcept {
+    constexpr double kRound = 0.15;  // of a strike: hands do not turn back at once
+    const double late = alternates && side == Side::right ? 0.5 : 0.0;
+    const double sine = std::sin(M_PI * ((beat - hit) / every - late));
+    const double strikes = (std::hypot(sine, kRound) - kRound) / (std::hypot(1.0, kRound) - kRound);
+    return static_cast<float>(std::lerp(sine * sine, strikes, static_cast<double>(sharpness)));
+}
+
+HandRests::Rest HandRests::rest_at(HandPlace place, double beat, Side side) noexcept {
+    // The right arm of the frame lies about the partner's back.
+    constexpr Rest kRightOfFrame{{0.10F, -0.16F, 0.64F}, {1.0F, -0.35F, 0.0F}, -0.7F};
+    const bool is_right_of_frame = place == HandPlace::frame && side == Side::right;
+    Rest rest = is_right_of_frame ? kRightOfFrame : kRests[static_cast<std::size_t>(place)];
+    const Sway& sway = kSways[static_cast<std::size_t>(place)];
+    rest.wrist += sway.at(beat, side) * sway.by;
+    return rest;
+}
 
 namespace {
 
@@ -139,27 +194,42 @@ ArmTurns hinged(const ArmPlace& place, Side side) noexcept {
     return {upper, upper * bend};
 }
 
+/// How a hand is held at its place, and how much of it counts.
+struct HeldHand {
+    float turn;
+    float bend;
+    float weight;
+};
+
 /// Turns an arm to a place. What it is twisted by goes over from that of the dance to that of an
 /// arm whose elbow bends about its hinge.
 void turn_arm(const Skeleton& skeleton,
               const WorldPose& world,
               Side side,
               const ArmPlace& place,
-              float weight,
+              const HeldHand& hand,
               Pose& pose) noexcept {
+    const float weight = hand.weight;
+    const float sign = side == Side::left ? 1.0F : -1.0F;
+    // The palm's turn is shared by forearm and wrist, as radius and ulna turn.
+    const float quarter = 0.25F * hand.turn;
+    const glm::quat half_turn{std::cos(quarter), -std::sin(quarter), 0.0F, 0.0F};
+    const float half_bend = -0.5F * sign * hand.bend;
+    const glm::quat bent{std::cos(half_bend), 0.0F, 0.0F, std::sin(half_bend)};
     const Limb arm = arm_of(world, side);
     const glm::vec3& to_elbow = skeleton.offsets[index_of(arm.lower)];
     const glm::vec3& to_wrist = skeleton.offsets[index_of(arm.end)];
     const glm::quat& upper = world.rotation(arm.upper);
     const glm::quat& lower = world.rotation(arm.lower);
-    const ArmTurns rest = hinged(place, side);
+    ArmTurns rest = hinged(place, side);
+    rest.lower = rest.lower * half_turn;
     const glm::quat upper_now =
         untwisted(rotation_between(upper * to_elbow, place.elbow) * upper, rest.upper, weight);
     const glm::quat lower_now = untwisted(
         rotation_between(lower * to_wrist, place.wrist - place.elbow) * lower, rest.lower, weight);
     pose.rotation(arm.upper) = glm::normalize(glm::conjugate(arm.parent) * upper_now);
     pose.rotation(arm.lower) = glm::normalize(glm::conjugate(upper_now) * lower_now);
-    pose.rotation(arm.end) = glm::slerp(pose.rotation(arm.end), kNoRotation, weight);
+    pose.rotation(arm.end) = glm::slerp(pose.rotation(arm.end), half_turn * bent, weight);
 }
 
 }  // namespace
@@ -173,19 +243,26 @@ float HandRests::Hand::weight(StreamTime time) const noexcept {
 }
 
 // Straight, but ahead of the body.
-HandRests::Rest HandRests::Hand::rest(StreamTime time) const noexcept {
+HandRests::Rest HandRests::Hand::rest(StreamTime time, double beat, Side side) const noexcept {
     constexpr float kAhead = 1.2F;
-    const Rest& there = kRests[static_cast<std::size_t>(place)];
+    const Rest there = rest_at(place, beat, side);
     const float share = change.share(time);
-    Rest rest{glm::mix(before.wrist, there.wrist, share),
-              glm::mix(before.elbow, there.elbow, share)};
-    rest.wrist.z += kAhead * share * (1.0F - share) * glm::distance(before.wrist, there.wrist);
+    if (share >= 1.0F) {
+        return there;
+    }
+    const Rest here = place_before ? rest_at(*place_before, beat, side) : before;
+    Rest rest{glm::mix(here.wrist, there.wrist, share),
+              glm::mix(here.elbow, there.elbow, share),
+              std::lerp(here.turn, there.turn, share),
+              std::lerp(here.bend, there.bend, share)};
+    rest.wrist.z += kAhead * share * (1.0F - share) * glm::distance(here.wrist, there.wrist);
     return rest;
 }
 
 void HandRests::go_to(Side side,
                       HandPlace place,
                       StreamTime now,
+                      double beat,
                       double seconds) noexcept RAKS_NONBLOCKING {
     Hand& hand = hands_[static_cast<std::size_t>(side)];
     if (hand.to > 0.0F && hand.place == place) {
@@ -193,7 +270,12 @@ void HandRests::go_to(Side side,
     }
     const Way way{now, static_cast<float>(seconds)};
     const float weight = hand.weight(now);
-    hand.before = weight > 0.0F ? hand.rest(now) : kRests[static_cast<std::size_t>(place)];
+    if (weight > 0.0F && hand.change.share(now) < 1.0F) {
+        hand.before = hand.rest(now, beat, side);
+        hand.place_before.reset();
+    } else {
+        hand.place_before = weight > 0.0F ? hand.place : place;
+    }
     hand.place = place;
     hand.change = hand.way = way;
     hand.from = weight;
@@ -212,6 +294,7 @@ void HandRests::let_go(Side side, StreamTime now, double seconds) noexcept RAKS_
 
 void HandRests::apply(const Skeleton& skeleton,
                       StreamTime time,
+                      double beat,
                       Pose& pose) const noexcept RAKS_NONBLOCKING {
     const bool is_any = std::any_of(
         hands_.begin(), hands_.end(), [&](const Hand& hand) { return hand.weight(time) > 0.0F; });
@@ -231,10 +314,12 @@ void HandRests::apply(const Skeleton& skeleton,
                       glm::length(skeleton.offsets[index_of(limb.lower)]),
                       glm::length(skeleton.offsets[index_of(limb.end)]),
                       facing};
-        const ArmPlace rest = arm.at(hand.rest(time));
+        const Rest own = hand.rest(time, beat, side);
+        const ArmPlace rest = arm.at(own);
         const ArmPlace danced = {world.position(limb.lower) - limb.root,
                                  world.position(limb.end) - limb.root};
-        turn_arm(skeleton, world, side, arm.between(danced, rest, weight), weight, pose);
+        const HeldHand held{own.turn, own.bend, weight};
+        turn_arm(skeleton, world, side, arm.between(danced, rest, weight), held, pose);
     }
 }
 

@@ -118,7 +118,7 @@ void Waiting::lead_hands(StreamTime now, HandRests& hands) const noexcept RAKS_N
     }
     for (const Side side : kSides) {
         if (const GestureHand* const hand = led[static_cast<std::size_t>(side)]) {
-            hands.go_to(side, hand->place, now, kMoveHandsGo);
+            hands.go_to(side, hand->place, now, 0.0, kMoveHandsGo);
         } else {
             hands.let_go(side, now, kMoveHandsBack);
         }

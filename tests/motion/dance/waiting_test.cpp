@@ -40,7 +40,7 @@ class Waits {
         waiting.lead_hands(time, hands_);
         Pose pose = idle_pose(body(), time);
         waiting.move(body(), time, beat, pose);
-        hands_.apply(body(), time, pose);
+        hands_.apply(body(), time, 0.0, pose);
         waiting.shake(time, pose);
         return pose;
     }

@@ -3,8 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "motion/figures/dance_habits_reader.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -118,6 +124,75 @@ TEST(FigureGrammar, reads_endings_and_idle_movements_and_goes_on_without_what_it
         EXPECT_EQ(habits.notes[0].find('\n'), std::string::npos);
         EXPECT_EQ(habits.endings, row.endings) << row.lines;
     }
+}
+
+TEST(FigureGrammar, reads_what_hands_do_and_goes_on_without_what_is_wrong) {
+    const auto read = [](const std::string& head, const std::string& figure) {
+        std::string text = replaced("version = 1\n", "version = 1\n" + head);
+        const std::size_t at = text.find("[[figure]]\n") + 11;
+        return parse_grammar(text.insert(at, figure), "x.toml");
+    };
+    const auto weight = [](const HandShapeWeights& weights, HandShape shape) {
+        return weights[static_cast<std::size_t>(shape)];
+    };
+    const auto own = read("hands = { every = 8, shapes = { fist = 2, long = 0.5 } }\n",
+                          "hands = \"zills\"\nstill = \"head\"\n");
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_EQ(own->habits.hands.every, 8);
+    EXPECT_EQ(weight(own->habits.hands.shapes, HandShape::fist), 2.0F);
+    EXPECT_EQ(weight(own->habits.hands.shapes, HandShape::lengthy), 0.5F);
+    EXPECT_EQ(weight(own->habits.hands.shapes, HandShape::danced), 0.0F);
+    ASSERT_TRUE(own->rules[0].hands);
+    EXPECT_EQ(weight(*own->rules[0].hands, HandShape::zills), 1.0F);
+    EXPECT_EQ(own->rules[0].still, StillPart::head);
+    EXPECT_FALSE(own->rules[1].hands) << "where nothing is said";
+    EXPECT_EQ(own->rules[1].still, StillPart::nothing);
+    for (const std::string mangled : {"hands = 3\n",
+                                      "hands = { every = 0 }\n",
+                                      "hands = { shapes = { fsit = 1 } }\n",
+                                      "hands = { shapes = { fist = -1 } }\n",
+                                      "hands = { shapes = 7 }\n",
+                                      "hands = { shape = \"fist\" }\n"}) {
+        const auto without = read(mangled, "hands = [1]\n");
+        ASSERT_TRUE(without) << mangled << without.error().message;
+        EXPECT_EQ(without->habits.hands.shapes, HandHabits().shapes) << mangled;
+        EXPECT_EQ(without->habits.hands.every, HandHabits().every) << mangled;
+        EXPECT_FALSE(without->rules[0].hands);
+    }
+    const auto refused = read("", "still = \"haed\"\n");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("did you mean \"head\"?"), std::string::npos)
+        << refused.error().message;
+}
+
+TEST(DanceHabits, of_a_file_without_figures_say_what_is_wrong_of_hands_in_a_line_each) {
+    const raks::test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "x.toml";
+    const auto read = [&](const std::string& text) {
+        std::ofstream(path) << text;
+        return habits_of_file(path);
+    };
+    const auto good = read("rests = 0.1\n[hands]\nshapes = \"open\"\n");
+    ASSERT_TRUE(good) << good.error().message;
+    EXPECT_FALSE(good->has_figures);
+    EXPECT_TRUE(good->habits.notes.empty());
+    EXPECT_EQ(good->habits.rests, 0.1);
+    EXPECT_EQ(good->habits.hands.shapes[static_cast<std::size_t>(HandShape::open)], 1.0F);
+    const auto mangled =
+        read("[hands]\nshapes = { fsit = 1, open = 1 }\nevery = \"bar\"\n[[figure]]\nhands = 1\n");
+    ASSERT_TRUE(mangled) << mangled.error().message;
+    EXPECT_TRUE(mangled->has_figures);
+    EXPECT_EQ(mangled->habits.hands.shapes[static_cast<std::size_t>(HandShape::open)], 1.0F);
+    ASSERT_EQ(mangled->habits.notes.size(), 3U);
+    std::string all;
+    for (const std::string& fault : mangled->habits.notes) {
+        all += fault + '\n';
+    }
+    EXPECT_NE(all.find(path.string() + ": line 2: hands: "), std::string::npos) << all;
+    EXPECT_NE(all.find("did you mean \"fist\"?"), std::string::npos) << all;
+    EXPECT_NE(all.find("every must be a number from 1 to 64"), std::string::npos) << all;
+    EXPECT_NE(all.find("line 5: hands: shapes must be a name"), std::string::npos) << all;
+    EXPECT_FALSE(read("hands = [\n"));
 }
 
 TEST(FigureGrammar, reads_which_figures_stay_on_their_side) {

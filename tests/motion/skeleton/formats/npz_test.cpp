@@ -28,7 +28,7 @@ std::string message(const Expected<T>& result) {
 TEST(Npy, every_type_and_order_gives_the_same_numbers) {
     for (const char* type : {"<f2", ">f2", "<f4", ">f4", "<f8", ">f8", "<i4", ">i4", "|u1"}) {
         for (const bool is_fortran : {false, true}) {
-            const auto read = parse_npy(test::npy_bytes(kArray, {type, is_fortran}));
+            const auto read = parse_npy(raks::test::npy_bytes(kArray, {type, is_fortran}));
             ASSERT_TRUE(read) << type << ": " << message(read);
             EXPECT_EQ(read->shape, kArray.shape) << type;
             EXPECT_EQ(read->values, kArray.values) << type << is_fortran;
@@ -38,8 +38,8 @@ TEST(Npy, every_type_and_order_gives_the_same_numbers) {
 
 TEST(Npy, halves_are_those_of_ieee_754) {
     const NumberArray halves = {{4}, {-0.5, 1.5, 65504.0, 0.00006103515625}};
-    EXPECT_EQ(parse_npy(test::npy_bytes(halves, {"<f2", false}))->values, halves.values);
-    std::string special = test::npy_bytes({{3}, {0.0, 0.0, 0.0}}, {"<f2", false});
+    EXPECT_EQ(parse_npy(raks::test::npy_bytes(halves, {"<f2", false}))->values, halves.values);
+    std::string special = raks::test::npy_bytes({{3}, {0.0, 0.0, 0.0}}, {"<f2", false});
     special.replace(special.size() - 6, 6, std::string("\x01\x00\x00\xFC\x00\x7E", 6));
     const auto read = parse_npy(special);
     EXPECT_EQ(read->values[0], std::ldexp(1.0, -24));  // the least of all
@@ -65,7 +65,7 @@ TEST(Npy, what_is_no_array_of_numbers_is_refused) {
         {head("{'descr': '<f8', 'fortran_order': False, 'shape': (4294967296, 4294967296, 2)}"),
          "but ends after 0"},
         {head("{'descr': '<f4', 'fortran_order': False, 'shape': (a,)}"), "not a list of counts"},
-        {test::npy_bytes(kArray).substr(0, 40), "ends inside its header"},
+        {raks::test::npy_bytes(kArray).substr(0, 40), "ends inside its header"},
     };
     for (const auto& row : rows) {
         EXPECT_NE(message(parse_npy(row.bytes)).find(row.part), std::string::npos)
@@ -75,9 +75,10 @@ TEST(Npy, what_is_no_array_of_numbers_is_refused) {
 
 TEST(Npz, stored_and_deflated_give_the_arrays_that_were_asked_for) {
     const NumberArray other = {{}, {7.0}};
-    for (const test::Packing packing : {test::Packing::stored, test::Packing::deflated}) {
+    for (const raks::test::Packing packing :
+         {raks::test::Packing::stored, raks::test::Packing::deflated}) {
         const auto read = read_npz(
-            test::npz_bytes({{"a", kArray}, {"b", other}, {"c", kArray}}, packing), kNames);
+            raks::test::npz_bytes({{"a", kArray}, {"b", other}, {"c", kArray}}, packing), kNames);
         ASSERT_TRUE(read) << message(read);
         EXPECT_EQ(read->names, (std::vector<std::string>{"a", "b", "c"}));
         EXPECT_EQ(read->arrays.size(), 2U);
@@ -88,14 +89,14 @@ TEST(Npz, stored_and_deflated_give_the_arrays_that_were_asked_for) {
 
 TEST(Npz, of_a_file_that_was_not_asked_for_nothing_is_read) {
     const auto read =
-        read_npz(test::zip_bytes({{"gender.npy", "no array"}, {"x.txt", "y"}}), kNames);
+        read_npz(raks::test::zip_bytes({{"gender.npy", "no array"}, {"x.txt", "y"}}), kNames);
     ASSERT_TRUE(read) << message(read);
     EXPECT_TRUE(read->arrays.empty());
     EXPECT_EQ(read->names, std::vector<std::string>{"gender"});
 }
 
 TEST(Npz, bombs_and_damage_are_refused) {
-    const std::string good = test::npz_bytes({{"a", kArray}}, test::Packing::deflated);
+    const std::string good = raks::test::npz_bytes({{"a", kArray}}, raks::test::Packing::deflated);
     EXPECT_NE(message(read_npz(good.substr(0, good.size() - 30), kNames)).find("cut off"),
               std::string::npos);
     // Sizes that the directory declares, in bytes: more than is ever read; more than deflate can
@@ -114,11 +115,12 @@ TEST(Npz, bombs_and_damage_are_refused) {
     }
     // What a body that stands still for hours shrinks to.
     const NumberArray still = {{40'000, 72}, std::vector<double>(40'000 * 72)};
-    EXPECT_NE(message(read_npz(test::npz_bytes({{"a", still}}, test::Packing::deflated), kNames))
+    EXPECT_NE(message(read_npz(raks::test::npz_bytes({{"a", still}}, raks::test::Packing::deflated),
+                               kNames))
                   .find("as no motion does"),
               std::string::npos);
-    EXPECT_EQ(message(read_npz(test::zip_bytes({{"a.npy", test::npy_bytes(kArray)},
-                                                {"a.npy", test::npy_bytes(kArray)}}),
+    EXPECT_EQ(message(read_npz(raks::test::zip_bytes({{"a.npy", raks::test::npy_bytes(kArray)},
+                                                      {"a.npy", raks::test::npy_bytes(kArray)}}),
                                kNames)),
               "a is packed twice; save the file again");
     std::string broken = good;

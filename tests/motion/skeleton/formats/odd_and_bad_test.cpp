@@ -46,7 +46,7 @@ std::vector<Case> cases_of(const std::string& table) {
 class OddAndBad : public ::testing::Test {
  protected:
     void SetUp() override {
-        folder_ = test::shared_data() / "mocap";
+        folder_ = raks::test::shared_data() / "mocap";
         const auto table = read_file(folder_ / "odd_bad.tsv");
         if (!table) {
             GTEST_SKIP() << "no table in " << folder_;

@@ -56,11 +56,12 @@ TEST(C3d, every_computer_and_kind_of_number_gives_the_same_points) {
          {C3dProcessor::intel, C3dProcessor::dec, C3dProcessor::mips}) {
         for (const bool is_float : {true, false}) {
             for (const std::size_t analogue : {0U, 3U}) {
-                test::C3dForm form;
+                raks::test::C3dForm form;
                 form.processor = processor;
                 form.is_float = is_float;
                 form.analogue = analogue;
-                const auto clip = parse_c3d(test::c3d_bytes(truth(), form), "x.c3d", std::nullopt);
+                const auto clip =
+                    parse_c3d(raks::test::c3d_bytes(truth(), form), "x.c3d", std::nullopt);
                 expect_truth(clip, std::to_string(static_cast<int>(processor)));
                 EXPECT_EQ(clip->metres_per_unit, 0.001);
                 EXPECT_EQ(clip->up, glm::dvec3(0.0, 0.0, 1.0));
@@ -76,7 +77,7 @@ TEST(C3d, a_file_that_is_cut_off_gives_the_frames_that_are_there) {
     for (std::size_t i = 6; i < 80; ++i) {
         many.positions.push_back({0.0, 0.0, static_cast<double>(i)});
     }
-    const std::string whole = test::c3d_bytes(many);
+    const std::string whole = raks::test::c3d_bytes(many);
     const std::size_t data = whole.size() - 1536;  // three blocks of points
     const auto clip = parse_c3d(whole.substr(0, data + 10 * 32 + 5), "x.c3d", std::nullopt);
     ASSERT_TRUE(clip) << message(clip);

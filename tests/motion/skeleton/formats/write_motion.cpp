@@ -19,9 +19,10 @@ int main(int count, char** words) {
         return 1;
     }
     const std::string output = words[2];
-    const auto arrays = test::smpl_arrays(*clip);
+    const auto arrays = raks::test::smpl_arrays(*clip);
     const auto written = write_file(
-        output, output.ends_with(".json") ? test::json_text(arrays) : test::npz_bytes(arrays));
+        output,
+        output.ends_with(".json") ? raks::test::json_text(arrays) : raks::test::npz_bytes(arrays));
     if (!written) {
         std::cerr << written.error().message << "\n";
         return 1;
