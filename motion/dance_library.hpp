@@ -10,6 +10,7 @@
 
 #include "base/expected.hpp"
 #include "motion/dance/generator.hpp"
+#include "motion/figures/dance_habits.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
