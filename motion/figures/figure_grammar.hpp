@@ -33,8 +33,8 @@ struct FigureGrammar {
         /// It may be danced left for right; not what a hand does by its nature, such as to play
         bool can_mirror = true;
         bool can_slow = false;  ///< it may be danced at half the tempo, to calm music
-        std::optional<HandShapeWeights> hands;  ///< shapes of its hands; none: those of the dance
-        StillPart still = StillPart::nothing;   ///< what stays in the room while the hips move
+        std::optional<HandShapeWeights> hands{};  ///< shapes of its hands; none: those of the dance
+        StillPart still = StillPart::nothing;     ///< what stays in the room while the hips move
     };
     /// Where one partner of a couple stands.
     struct Place {

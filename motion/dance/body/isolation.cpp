@@ -9,7 +9,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kStays = 0.70F;      // share of the part's way that is taken from it
+constexpr float kStays = 0.90F;      // share of the part's way that is taken from it
 constexpr float kMostSpine = 0.35F;  // radians that the spine bends for it, approached softly
 
 /// The bones from the hips to a head, in a row.

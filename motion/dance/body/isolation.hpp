@@ -8,7 +8,7 @@
 
 namespace raks::motion {
 
-/// Bends the spine so that a part stays within a third of its way over the floor from where it is
+/// Bends the spine so that a part keeps but a tenth of its way over the floor from where it is
 /// in the posture `middle`; arms and head keep their directions, hips and legs stay. Threads: any.
 /// Real-time: yes.
 void keep_still(const Skeleton& skeleton,

@@ -133,9 +133,17 @@ struct HandRests::Arm {
     float upper = 0.3F;  // lengths, metres
     float lower = 0.3F;
     glm::quat facing{kNoRotation};  // of the trunk
+    float shoulders = 0.32F;        // from one to the other, metres
 
     [[nodiscard]] ArmPlace at(const Rest& rest) const noexcept {
-        const glm::vec3 wrist = facing * (on_side_of(rest.wrist, side) * (upper + lower));
+        constexpr float kUsualHalf = 0.307F;  // of those of the mannequin, in lengths of its arm
+        const float length = upper + lower;
+        glm::vec3 place = rest.wrist;
+        // What lies before the body is as far across as the shoulders are wide, whatever the arms.
+        if (place.x < 0.0F) {
+            place.x *= 0.5F * shoulders / (kUsualHalf * length);
+        }
+        const glm::vec3 wrist = facing * (on_side_of(place, side) * length);
         return arm_to(wrist, facing * on_side_of(rest.elbow, side), upper, lower);
     }
 
@@ -303,6 +311,8 @@ void HandRests::apply(const Skeleton& skeleton,
     }
     const WorldPose world = world_body(skeleton, pose);
     const glm::quat facing = facing_of(world);
+    const float shoulders =
+        glm::distance(world.position(Bone::left_upper_arm), world.position(Bone::right_upper_arm));
     for (const Side side : kSides) {
         const Hand& hand = hands_[static_cast<std::size_t>(side)];
         const float weight = hand.weight(time);
@@ -313,7 +323,8 @@ void HandRests::apply(const Skeleton& skeleton,
         const Arm arm{side,
                       glm::length(skeleton.offsets[index_of(limb.lower)]),
                       glm::length(skeleton.offsets[index_of(limb.end)]),
-                      facing};
+                      facing,
+                      shoulders};
         const Rest own = hand.rest(time, beat, side);
         const ArmPlace rest = arm.at(own);
         const ArmPlace danced = {world.position(limb.lower) - limb.root,

@@ -50,24 +50,24 @@ constexpr Drawn kZillsShut{
 
 Fingers fingers_of(const Drawn& drawn) noexcept {
     // Axes of the left hand, palm down, fingers along x, the thumb ahead.
-    constexpr glm::vec3 kBend{0.0F, 0.0F, -1.0F};
-    constexpr glm::vec3 kUp{0.0F, 1.0F, 0.0F};
-    constexpr glm::vec3 kAlong{1.0F, 0.0F, 0.0F};
-    constexpr glm::vec3 kThumb{0.0F, -0.70711F, -0.70711F};
+    constexpr glm::vec3 kFingerTurn{0.0F, 0.0F, -1.0F};
+    constexpr glm::vec3 kFromPalm{0.0F, 1.0F, 0.0F};
+    constexpr glm::vec3 kAlongHand{1.0F, 0.0F, 0.0F};
+    constexpr glm::vec3 kThumbTurn{0.0F, -0.70711F, -0.70711F};
     const auto turn = [](float degrees, const glm::vec3& axis) {
         return glm::angleAxis(glm::radians(degrees), axis);
     };
     Fingers fingers{};
     // The thumb comes first.
-    fingers[0] = turn(drawn.oppose, kAlong) * turn(drawn.close, kUp);
-    fingers[1] = turn(drawn.thumb, kThumb);
-    fingers[2] = turn(drawn.thumb, kThumb);
+    fingers[0] = turn(drawn.oppose, kAlongHand) * turn(drawn.close, kFromPalm);
+    fingers[1] = turn(drawn.thumb, kThumbTurn);
+    fingers[2] = turn(drawn.thumb, kThumbTurn);
     for (std::size_t finger = 0; finger < drawn.bends.size(); ++finger) {
         const auto& bends = drawn.bends[finger];
         const std::size_t first = 3 + 3 * finger;
-        fingers[first] = turn(drawn.spread[finger], kUp) * turn(bends[0], kBend);
-        fingers[first + 1] = turn(bends[1], kBend);
-        fingers[first + 2] = turn(bends[2], kBend);
+        fingers[first] = turn(drawn.spread[finger], kFromPalm) * turn(bends[0], kFingerTurn);
+        fingers[first + 1] = turn(bends[1], kFingerTurn);
+        fingers[first + 2] = turn(bends[2], kFingerTurn);
     }
     return fingers;
 }

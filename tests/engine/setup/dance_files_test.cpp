@@ -161,10 +161,32 @@ TEST_F(CellDances, are_solved_anew_where_the_kept_file_is_damaged) {
                                waltz_from(DanceCache({}))->packed()};
     for (const std::string& bytes : bad) {
         ASSERT_TRUE(write_file(file, bytes));
-        EXPECT_EQ(DanceCache::find(file, motion::mannequin_skeleton()), nullptr) << bytes.size();
+        EXPECT_EQ(DanceCache::find(file, motion::mannequin_skeleton(), motion::DanceHabits()),
+                  nullptr)
+            << bytes.size();
         EXPECT_TRUE(packed(cache) == solved);
         EXPECT_TRUE(*read_file(file) == good) << "it is mended";
     }
+}
+
+TEST_F(CellDances, may_have_a_file_that_says_what_hands_do) {
+    const auto notes_of = [&](const std::string& text) {
+        EXPECT_TRUE(write_file(folder_ / "mine.toml", text));
+        const auto catalogue = DanceCatalogue::load(folder_.path());
+        EXPECT_FALSE(catalogue->find("mine")->has_figures);
+        EXPECT_FALSE(packed(DanceCache({})).empty()) << "it is danced";
+        std::vector<std::string> notes;
+        for (const std::string& note : catalogue->notes()) {
+            if (note.find("mine.toml") != std::string::npos) {
+                notes.push_back(note);
+            }
+        }
+        return notes;
+    };
+    EXPECT_TRUE(notes_of("[hands]\nshapes = { fist = 1 }\n").empty());
+    const auto notes = notes_of("[hands]\nshapes = { fsit = 1 }\n");
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("line 2: hands: "), std::string::npos) << notes[0];
 }
 
 /// The same dance with a figure, too.

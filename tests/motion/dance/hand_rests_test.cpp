@@ -65,14 +65,14 @@ TEST(HandRests, a_hand_that_rests_is_still_beside_the_shoulder_while_the_trunk_d
 }
 
 // Wrists from one another, at a beat, with both hands at a place. The body stands.
-float between_wrists(HandPlace place, double beat) {
+float between_wrists(HandPlace place, double beat, const Skeleton& skeleton = body()) {
     HandRests hands;
     for (const Side side : kSides) {
         hands.go_to(side, place, at(0.0), 0.0, 0.5);
     }
-    Pose pose = idle_pose(body(), at(0.0));
-    hands.apply(body(), at(5.0), beat, pose);
-    const WorldPose world = world_pose(body(), pose);
+    Pose pose = idle_pose(skeleton, at(0.0));
+    hands.apply(skeleton, at(5.0), beat, pose);
+    const WorldPose world = world_pose(skeleton, pose);
     return glm::distance(world.position(Bone::left_hand), world.position(Bone::right_hand));
 }
 
@@ -80,6 +80,17 @@ TEST(HandRests, hands_clap_on_the_off_beats) {
     for (const double beat : {1.0, 3.0, 5.0}) {
         EXPECT_LT(between_wrists(HandPlace::clap, beat), 0.10F) << beat;
         EXPECT_GT(between_wrists(HandPlace::clap, beat - 1.0), 0.25F) << beat;
+    }
+}
+
+TEST(HandRests, hands_of_long_and_of_short_arms_clap_where_they_reach) {
+    for (const float length : {0.6F, 2.0F}) {
+        Skeleton skeleton = body();
+        for (const Side side : kSides) {
+            skeleton.offsets[index_of(on_side(Bone::left_lower_arm, side))] *= length;
+            skeleton.offsets[index_of(on_side(Bone::left_hand, side))] *= length;
+        }
+        EXPECT_LT(between_wrists(HandPlace::clap, 1.0, skeleton), 0.12F) << length;
     }
 }
 
