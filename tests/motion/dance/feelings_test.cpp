@@ -174,7 +174,7 @@ TEST(Feelings, are_real_time_safe) {
     Feelings feelings;
     const DanceMood mood;
     const MusicState music = music_at(5, 0.5F);
-    test::RealtimeScope scope;
+    raks::test::RealtimeScope scope;
     for (int i = 0; i < 100; ++i) {
         feelings.advance({.music = music, .mood = mood, .is_dancing = true});
     }
