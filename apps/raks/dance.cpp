@@ -43,7 +43,7 @@ class CollectDance final : public engine::OfflineDriver::Sink {
 
     void on_hop(const engine::PerformedHop& hop) override {
         poses.on_hop(hop);
-        faces.on_hop(hop);
+        faces.advance(hop.music, hop.tracks);
     }
     [[nodiscard]] Danced of(std::size_t dancer) const {
         const std::vector<motion::Pose>& own = poses.dancers[dancer];

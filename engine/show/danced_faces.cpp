@@ -7,19 +7,22 @@
 
 namespace raks::engine {
 
-void CollectFaces::on_hop(const PerformedHop& hop) {
-    faces_.resize(hop.tracks.size());
-    while (made_by_.size() < hop.tracks.size()) {
+void CollectFaces::advance(const MusicState& music, std::span<const motion::PoseTrack> tracks) {
+    if (tracks.empty()) {
+        return;
+    }
+    faces_.resize(tracks.size());
+    while (made_by_.size() < tracks.size()) {
         made_by_.emplace_back(made_by_.size(), habits_);
     }
     for (StreamTime time = stream_time_from_seconds(static_cast<double>(next_) / fps_);
-         time <= time_of_hop(hop.track.newest_final());
+         time <= time_of_hop(tracks.front().newest_final());
          time = stream_time_from_seconds(static_cast<double>(++next_) / fps_)) {
-        for (std::size_t i = 0; i < hop.tracks.size(); ++i) {
-            const motion::PoseTrack& track = hop.tracks[i];
+        for (std::size_t i = 0; i < tracks.size(); ++i) {
+            const motion::PoseTrack& track = tracks[i];
             faces_[i].push_back(made_by_[i].face_at({.time = time,
-                                                     .level_dbfs = hop.music.level_dbfs,
-                                                     .loudness_lufs = hop.music.loudness_lufs,
+                                                     .level_dbfs = music.level_dbfs,
+                                                     .loudness_lufs = music.loudness_lufs,
                                                      .head = head_turn_at(track, time),
                                                      .feeling = track.feeling_at(time)},
                                                     motion::mannequin_skeleton(),

@@ -5,24 +5,25 @@
 #include <span>
 #include <vector>
 
-#include "engine/offline/offline_driver.hpp"
+#include "base/music_state.hpp"
 #include "engine/show/dancer_face.hpp"
 #include "motion/skeleton/formats/vrma.hpp"
+#include "motion/skeleton/pose_track.hpp"
 #include "render/avatar/face.hpp"
 
 namespace raks::engine {
 
 /// Makes all dancers' faces at an even rate while they dance, as a film of them shows them: face i
 /// at i / fps seconds. Where eyes look is left out, as nobody knows who will watch.
-class CollectFaces final : public OfflineDriver::Sink {
+class CollectFaces {
  public:
     /// `fps`: faces a second, > 0.
     CollectFaces(double fps, FaceHabits habits) : fps_(fps), habits_(habits) {
         habits_.gazes = false;
     }
 
-    /// Appends the faces whose time the hop's tracks have reached.
-    void on_hop(const PerformedHop& hop) override;
+    /// The next hop: appends the faces whose time its tracks, one a dancer, have reached.
+    void advance(const MusicState& music, std::span<const motion::PoseTrack> tracks);
 
     /// The faces of a dancer, cut or extended to so many: the last one is repeated.
     [[nodiscard]] std::vector<render::Face> of(std::size_t dancer, std::size_t count) const;

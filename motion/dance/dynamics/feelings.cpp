@@ -196,7 +196,7 @@ float Feelings::cause(double now, Feeling& target) const noexcept {
     if (is_within(now, dropped_, kJoyOfDrop)) {
         // Joy with wide eyes.
         target.of(Emotion::happy) = 0.8F;
-        target.of(Emotion::surprised) = 0.38F;
+        target.of(Emotion::surprised) = 0.5F;
         target.teeth = 0.5F;
         return 1.0F;
     }
@@ -206,7 +206,8 @@ float Feelings::cause(double now, Feeling& target) const noexcept {
         return 1.0F;
     }
     if (is_within(now, ended_, kJoyAtEnd)) {
-        target.of(Emotion::happy) = 0.7F;
+        target.of(Emotion::happy) = 0.6F;
+        target.of(Emotion::relaxed) = 0.5F;
         return 1.0F;
     }
     if (now < passes_until_) {

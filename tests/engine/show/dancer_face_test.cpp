@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "engine/show/danced_faces.hpp"
 #include "tests/support/realtime_guard.hpp"
 
 namespace raks::engine {
@@ -214,6 +216,30 @@ TEST(DancerFace, of_a_couple_looks_at_the_partner_and_at_the_audience_when_it_wa
     EXPECT_LT(glm::distance(looks_at(0.0F, false), partner), 1e-4F);
     EXPECT_LT(glm::distance(looks_at(1.0F, false), camera), 1e-4F);
     EXPECT_LT(glm::distance(looks_at(1.0F, true), partner), 1e-4F) << "hands have met";
+}
+
+TEST(CollectFaces, makes_a_face_at_an_even_rate_and_tracks_of_what_is_shown) {
+    CollectFaces faces(10.0, {.blinks = false, .moves_mouth = false});
+    motion::PoseTrack track;
+    for (HopIndex hop = 0; hop < 100; ++hop) {
+        motion::Feeling feeling;
+        feeling.of(motion::Emotion::sad) = 0.01F * static_cast<float>(hop);
+        track.append_final(hop, standing(), feeling);
+        faces.advance({}, std::span(&track, 1));
+    }
+    const std::vector<render::Face> made = faces.of(0, 12);
+    ASSERT_EQ(made.size(), 12U);
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_NEAR(made[i].weight(FaceExpression::sad), 0.1F * static_cast<float>(i), 1e-4F);
+        EXPECT_EQ(made[i].gaze, 0.0F);
+    }
+    EXPECT_EQ(made[11].weights, made[9].weights) << "the last one is repeated";
+    const auto tracks = expression_tracks(made);
+    ASSERT_EQ(tracks.size(), 1U);
+    EXPECT_EQ(tracks[0].name, "sad");
+    EXPECT_TRUE(tracks[0].is_preset);
+    EXPECT_EQ(tracks[0].weights.size(), 12U);
+    EXPECT_EQ(faces.of(7, 3).size(), 3U) << "of nobody: at rest";
 }
 
 TEST(DancerFace, every_habit_can_be_switched_off) {
