@@ -285,17 +285,9 @@ std::size_t tempo_change_near(std::size_t hop, const Begins& begins) {
     return best;
 }
 
-// Where another metre begins, or the beat anew. A tempo that changes shortly before is heard at
-// once, and the metre only some bars later.
-std::size_t other_near(std::size_t hop, const Begins& begins) {
-    const std::size_t other = nearest(begins.others, hop, kNearMetre);
-    const std::size_t tempo = other == kNowhere ? kNowhere : tempo_change_near(other, begins);
-    return tempo < other ? tempo : other;
-}
-
 std::size_t begin_near(std::size_t hop, const Begins& begins) {
     for (const std::size_t place : {nearest(begins.silences, hop, kNearMetre),
-                                    other_near(hop, begins),
+                                    nearest(begins.others, hop, kNearMetre),
                                     tempo_change_near(hop, begins),
                                     nearest(begins.bars, hop, kNearBar)}) {
         if (place != kNowhere) {
