@@ -70,9 +70,7 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
-    std::shared_ptr<const std::string> bytes,
-    const Skeleton& skeleton,
-    const DanceHabits& habits) {
+    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton, const DanceHabits& habits) {
     auto content = unpack_cell_content(std::move(bytes), skeleton);
     if (!content) {
         return fail(std::move(content.error()));

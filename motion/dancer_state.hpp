@@ -76,7 +76,7 @@ struct Dancer::Course {
     BeatGrid grid;      // of the last hop
     float felt = 0.0F;  // [0, 1]: how much of the beat is felt, while waiting
     Waiting idle;
-    std::uint64_t settled = 0;       // how often the dancer has settled
+    std::uint64_t settled = 0;      // how often the dancer has settled
     std::uint64_t songs_ended = 0;  // which ending comes next
     PlantedFeet feet;
     Looks looks;

@@ -24,7 +24,7 @@ constexpr double kFarthestKeySeconds = 0.18;  // and never farther: slow music s
 constexpr double kBeforeEnd = 1.2;
 constexpr double kNearestEnd = 0.40;
 constexpr double kFarthestEnd = 0.80;
-constexpr double kBeforeKnownStop = 0.6;      // beats before a stop that is known
+constexpr double kBeforeKnownStop = 0.6;  // beats before a stop that is known
 // A pause at the end of a phrase: beats in which its posture is reached at full speed, seconds at
 // rest, and beats before the count 1 by which the dance goes on, so that the step into it is
 // danced.
