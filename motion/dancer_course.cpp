@@ -45,6 +45,13 @@ bool is_in_midst(const MusicState& music) noexcept {
            to_seconds(music.ahead.begins - music.time) < bar;
 }
 
+/// Whether a known song ends so soon that a pause would be its end.
+bool ends_soon(const MusicState& music) noexcept {
+    constexpr double kSoon = 5.0;  // beats
+    return music.ahead.is_known &&
+           to_seconds(music.ahead.ends - music.time) < kSoon * music.grid.tempo.seconds_per_beat();
+}
+
 /// Whether the beat goes on though it is hardly heard: while its band leaves for a while, and in a
 /// song that is known. The grid is danced on then.
 bool goes_on_unsurely(const MusicState& music) noexcept {
@@ -191,8 +198,8 @@ void Dancer::State::dance_on(const MusicState& music, bool has_reanchored) noexc
         settle(music.time);
     } else if (is_unwanted && is_at_line) {
         leave(music);
-    } else if (has_dynamics() &&
-               (wait_for_bar(music) || (!is_unwanted && pause_at_phrase_end(music)))) {
+    } else if (has_dynamics() && (wait_for_bar(music) || (!is_unwanted && !ends_soon(music) &&
+                                                          pause_at_phrase_end(music)))) {
         return;
     } else if (has_reanchored) {
         ++reanchors;

@@ -39,8 +39,8 @@ constexpr std::array<std::array<ShapeChannel, 2>, 7> kPairs = {
 static_assert((kUnpaired.size() + kTurnedOver.size() + 2 * kPairs.size()) * sizeof(float) ==
               sizeof(BodyShape));
 
-constexpr float kWeightShift = 0.045F;  // metres to the leg that carries
-constexpr float kWeightRoll = 0.055F;   // radians of the hips
+constexpr float kWeightShift = 0.065F;  // metres to the leg that carries
+constexpr float kWeightRoll = 0.090F;   // radians of the hips
 constexpr float kBowTurn = 0.26F;       // radians of hips, and of each bone of the spine the half
 
 constexpr glm::vec3 kAcross{1.0F, 0.0F, 0.0F};
@@ -60,8 +60,8 @@ void shape_trunk(const BodyShape& shape, Pose& pose) noexcept {
     pose.hips_position +=
         hips * glm::vec3(kWeightShift * shape.weight,
                          -shape.drop - 0.15F * kWeightShift * shape.weight * shape.weight,
-                         shape.ahead - 0.25F * shape.bow);
-    pose.hips_position.y -= 0.03F * shape.bow;
+                         shape.ahead - 0.25F * kBowTurn * shape.bow);
+    pose.hips_position.y -= 0.03F * kBowTurn * shape.bow;
     turn_bone(Bone::hips, shape.hips_turn, kUpright, pose);
     turn_bone(Bone::hips, -kWeightRoll * shape.weight, kFore, pose);
     turn_bone(Bone::hips, kBowTurn * shape.bow, kAcross, pose);

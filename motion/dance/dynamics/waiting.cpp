@@ -15,8 +15,8 @@ constexpr Nanos kFirstMoveAfter = std::chrono::milliseconds(700);  // until the 
 constexpr double kFirstMoveSpread = 0.7;  // seconds later at most, by the seed
 constexpr float kFeltNod = 0.13F;         // radians of neck and head, to a beat
 constexpr float kFeltGive = 0.014F;       // metres that the knees give
-constexpr double kMoveHandsGo = 0.8;      // seconds to a place of a movement
-constexpr double kMoveHandsBack = 0.9;    // and back
+constexpr double kMoveHandsGo = 1.1;      // seconds to a place of a movement
+constexpr double kMoveHandsBack = 1.1;    // and back
 
 constexpr std::uint64_t kIdleOrderStream = 21;  // streams of random numbers
 constexpr std::uint64_t kIdleSideStream = 22;
