@@ -6,6 +6,7 @@
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
+#include "motion/dance/dynamics/solo_arms.hpp"
 #include "motion/dance/dynamics/waiting.hpp"
 
 #include <glm/geometric.hpp>
@@ -135,7 +136,13 @@ Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
     if (still.posture() && still.is_at_rest(now + ahead)) {
         return *still.posture();
     }
-    return sequence.at(shown_phase(now, ahead), has_dynamics() ? manner.manner() : Manner());
+    const Beats at = shown_phase(now, ahead);
+    const Manner own = has_dynamics() ? manner.manner() : Manner();
+    Pose pose = sequence.at(at, own);
+    if (!part.is_in_couple && !is_free()) {
+        dance_solo_arms(content().solo, {at.count(), part.ways, own.arms}, skeleton, pose);
+    }
+    return pose;
 }
 
 /// The pose of one who does not dance.

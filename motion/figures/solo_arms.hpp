@@ -1,0 +1,33 @@
+// Solo arms: what the arms do of one who dances a couples' dance alone.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace raks::motion {
+
+/// Where both hands go in a few beats. At each key a hand arrives and stays until it must leave for
+/// the next one, so that arms have accents.
+struct ArmPattern {
+    /// Where a hand is at a beat.
+    struct Key {
+        double beat = 0.0;  ///< of the pattern
+        /// Wrist, from its shoulder: outward, up and ahead in the frame of the chest, in lengths of
+        /// the arm
+        glm::vec3 wrist{};
+    };
+    std::array<std::vector<Key>, 2> keys;  ///< by Side; rising beats, at least one
+    /// By Side: where the elbow points, outward, up and ahead
+    std::array<glm::vec3, 2> elbow{glm::vec3(0.45F, -1.0F, -0.3F), glm::vec3(0.45F, -1.0F, -0.3F)};
+};
+
+/// The arms of one who dances alone, instead of those of figures that were learnt from couples.
+struct SoloArms {
+    double beats = 8.0;                 ///< length of each pattern
+    glm::vec3 home{0.1F, -0.5F, 0.5F};  ///< where both hands are as a pattern begins and ends
+    std::vector<ArmPattern> patterns;   ///< none: the figures' own arms
+};
+
+}  // namespace raks::motion
