@@ -46,7 +46,7 @@ constexpr float kOverHead = 0.2F;  // metres over the shoulders: there, behind d
 constexpr float kWellOverHead = 0.4F;
 
 // Closed frame. The hands are so far beside the middle of the two shoulders; of an arm's length.
-constexpr float kFrameAside = 0.62F;
+constexpr float kFrameAside = 0.7F;
 // Height of the eyes over the head's joint, of that of the head's middle.
 constexpr float kEyes = 0.6F;
 // Places of the partner's body that palms lie on, of the left side: shares of the girth of the
@@ -60,6 +60,8 @@ constexpr float kShoulderThickness = 0.05F;
 // Outward, up and ahead of its own trunk: where the elbow of a hand that lies on the partner is.
 constexpr glm::vec3 kElbowOut{1.0F, 0.15F, 0.0F};
 constexpr float kElbowShare = 0.8F;  // of the way there
+// The same of joined hands: elbows hang a little.
+constexpr glm::vec3 kElbowDown{0.5F, -1.0F, -0.2F};
 
 constexpr float kUsualArm = 0.53F;  // metres; the mannequin's
 
@@ -331,14 +333,21 @@ void CoupleGrips::hold(const GripWeights& weights,
         lead_world,
         follow_world};
     join(weights, frame, couple);
+    const auto aim = [](const Hand& hand, const glm::vec3& left, float weight) {
+        const glm::vec3 own = hand.side == Side::left ? left : left * glm::vec3(-1.0F, 1.0F, 1.0F);
+        turn_elbow(
+            hand.body->skeleton, hand.arm, hand.trunk * own, kElbowShare * weight, *hand.pose);
+    };
     const auto lay = [&](std::size_t role, const Spot& spot, Hand& hand) {
         const float weight = weights[index_of(laid(role, hand.side))];
-        const glm::vec3 out =
-            hand.side == Side::left ? kElbowOut : kElbowOut * glm::vec3(-1.0F, 1.0F, 1.0F);
-        turn_elbow(
-            hand.body->skeleton, hand.arm, hand.trunk * out, kElbowShare * weight, *hand.pose);
+        aim(hand, kElbowOut, weight);
         hand.add(spot.palm, spot.facing, weight);
     };
+    if (frame != nullptr) {
+        const float joined = weights[index_of(Grip::left_right)];
+        aim(couple.lead[static_cast<std::size_t>(Side::left)], kElbowDown, joined);
+        aim(couple.follow[static_cast<std::size_t>(Side::right)], kElbowDown, joined);
+    }
     for (Hand& hand : couple.lead) {
         if (const auto at = laid_of(frame, 0, hand.side)) {
             lay(0, Spot(*at, follow_, follow_world, follow), hand);

@@ -20,7 +20,7 @@ constexpr float kNeck = 0.8F;   // radius of neck and upper chest, of that of a 
 constexpr float kKnees = 0.0F;  // metres that legs keep apart
 constexpr float kLeastLever = 0.4F;
 constexpr float kMostKnee = 0.10F;  // metres that a knee goes aside for one part, soft limit
-constexpr float kUpperArm = 0.05F;  // radius; metres
+constexpr float kUpperArm = 0.06F;  // radius; metres
 // Weight, metres, of the direction towards the arm's own body: where an arm goes that is deep
 // inside, where the nearest skin says little.
 constexpr float kOutward = 0.06F;
@@ -126,6 +126,33 @@ PartnerBody::Push PartnerBody::push_of(const Part& part,
     return {near.at * push, (1.0F - near.at) * push, true};
 }
 
+void PartnerBody::add_push(const Part& part,
+                           const std::array<Capsule, 2>& arm,
+                           float spare,
+                           const glm::vec3& outward,
+                           float share,
+                           Push& sum) const noexcept {
+    const Push forearm = push_of(part, arm[0], spare, outward);
+    const Push hand = push_of(part, arm[1], spare, outward);
+    if (share <= 0.0F || (!forearm.is_any && !hand.is_any)) {
+        return;
+    }
+    // At the middle of the forearm half of a push each would be too little.
+    const float both =
+        glm::dot(forearm.wrist, forearm.wrist) + glm::dot(forearm.elbow, forearm.elbow);
+    const float whole = glm::length(forearm.wrist) + glm::length(forearm.elbow);
+    const float gain = both > 0.0F ? whole * whole / both : 1.0F;
+    const glm::vec3 by_hand = hand.wrist + hand.elbow;
+    const glm::vec3 by_forearm = gain * forearm.wrist;
+    // Whichever asks for more.
+    const float one = glm::dot(by_hand, by_hand);
+    const float other = glm::dot(by_forearm, by_forearm);
+    sum.wrist +=
+        share * (one * by_hand + other * by_forearm) / std::max(one + other, kLeast * kLeast);
+    sum.elbow += share * gain * forearm.elbow;
+    sum.is_any = true;
+}
+
 void PartnerBody::keep_off(const Skeleton& skeleton,
                            const std::array<float, 2>& lying,
                            Pose& pose) const noexcept RAKS_NONBLOCKING {
@@ -147,28 +174,10 @@ void PartnerBody::keep_off(const Skeleton& skeleton,
             Push sum;
             for (const Part& part : parts_) {
                 // What lies on an arm, or under it, is held there by both.
-                const float share = part.is_arm ? 1.0F - lies : 1.0F;
-                if (share <= 0.0F) {
-                    continue;
-                }
-                const Push forearm = push_of(part, skin.parts[0], spare, outward);
-                const Push hand = push_of(part, skin.parts[1], spare, outward);
-                if (forearm.is_any || hand.is_any) {
-                    // At the middle of the forearm half of a push each would be too little.
-                    const float both = glm::dot(forearm.wrist, forearm.wrist) +
-                                       glm::dot(forearm.elbow, forearm.elbow);
-                    const float whole = glm::length(forearm.wrist) + glm::length(forearm.elbow);
-                    const float gain = both > 0.0F ? whole * whole / both : 1.0F;
-                    const glm::vec3 by_hand = hand.wrist + hand.elbow;
-                    const glm::vec3 by_forearm = gain * forearm.wrist;
-                    // Whichever asks for more.
-                    const float one = glm::dot(by_hand, by_hand);
-                    const float other = glm::dot(by_forearm, by_forearm);
-                    sum.wrist += share * (one * by_hand + other * by_forearm) /
-                                 std::max(one + other, kLeast * kLeast);
-                    sum.elbow += share * gain * forearm.elbow;
-                    sum.is_any = true;
-                }
+                add_push(part, skin.parts, spare, outward, part.is_arm ? 1.0F - lies : 1.0F, sum);
+            }
+            for (const std::size_t thigh : {0U, 2U}) {
+                add_push(legs_[thigh], skin.parts, spare, outward, 1.0F, sum);
             }
             if (!sum.is_any) {
                 break;

@@ -44,7 +44,12 @@ class PartnerBody {
                                const Capsule& own,
                                float spare,
                                const glm::vec3& outward) const noexcept;
-
+    void add_push(const Part& part,
+                  const std::array<Capsule, 2>& arm,
+                  float spare,
+                  const glm::vec3& outward,
+                  float share,
+                  Push& sum) const noexcept;
     static bool is_near(const Part& part, const Capsule& own, float spare) noexcept;
     [[nodiscard]] float way_aside(const Part& part,
                                   const Capsule& own,

@@ -15,7 +15,7 @@ constexpr float kHopSeconds = static_cast<float>(to_seconds(kHop));
 // Radians a second of the critically damped spring that moves her: half the way in 0.15 s.
 constexpr float kSpring = 11.0F;
 constexpr float kFootSeconds = 0.07F;  // time constant of a foot in the air
-constexpr float kMostAside = 0.13F;    // metres that the hips may be aside of the feet, soft limit
+constexpr float kMostAside = 0.17F;    // metres that the hips may be aside of the feet, soft limit
 constexpr float kNowhere = 1e-5F;      // metres; less is not moved
 
 glm::vec2 floor_of(const glm::vec3& point) noexcept { return {point.x, point.z}; }
