@@ -131,18 +131,22 @@ Beats Dancer::State::shown_phase(StreamTime now, Nanos ahead) const noexcept {
                          : phase.phase_after(ahead + landing_lead(delay, pace));
 }
 
-/// The pose of the figures, `ahead` of the hop at `now`.
+/// The pose of the figures at a phase; who dances a couples' dance alone has arms of its own.
+Pose Dancer::State::danced_at(Beats phase) const noexcept {
+    const Manner own = has_dynamics() ? manner.manner() : Manner();
+    Pose pose = sequence.at(phase, own);
+    if (!part.is_in_couple && !is_free()) {
+        dance_solo_arms(content().solo, {phase.count(), part.ways, own.arms}, skeleton, pose);
+    }
+    return pose;
+}
+
+/// The same, `ahead` of the hop at `now`.
 Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
     if (still.posture() && still.is_at_rest(now + ahead)) {
         return *still.posture();
     }
-    const Beats at = shown_phase(now, ahead);
-    const Manner own = has_dynamics() ? manner.manner() : Manner();
-    Pose pose = sequence.at(at, own);
-    if (!part.is_in_couple && !is_free()) {
-        dance_solo_arms(content().solo, {at.count(), part.ways, own.arms}, skeleton, pose);
-    }
-    return pose;
+    return danced_at(shown_phase(now, ahead));
 }
 
 /// The pose of one who does not dance.

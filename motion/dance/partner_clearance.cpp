@@ -24,7 +24,7 @@ constexpr float kUpperArm = 0.06F;  // radius; metres
 // Weight, metres, of the direction towards the arm's own body: where an arm goes that is deep
 // inside, where the nearest skin says little.
 constexpr float kOutward = 0.06F;
-constexpr int kRounds = 2;  // a push out of one part may lead into another
+constexpr int kRounds = 3;  // a push out of one part may lead into another
 constexpr float kLeast = 1e-4F;
 constexpr float kFingers =
     1.4F;  // length of a hand, from the wrist to the middle finger's second joint

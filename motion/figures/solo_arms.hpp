@@ -8,6 +8,9 @@
 
 namespace raks::motion {
 
+/// Where the elbow of a bent arm points: outward, up and ahead.
+inline constexpr glm::vec3 kUsualElbow{0.6F, -0.5F, -1.0F};
+
 /// Where both hands go in a few beats. At each key a hand arrives and stays until it must leave for
 /// the next one, so that arms have accents.
 struct ArmPattern {
@@ -19,8 +22,9 @@ struct ArmPattern {
         glm::vec3 wrist{};
     };
     std::array<std::vector<Key>, 2> keys;  ///< by Side; rising beats, at least one
-    /// By Side: where the elbow points, outward, up and ahead
-    std::array<glm::vec3, 2> elbow{glm::vec3(0.45F, -1.0F, -0.3F), glm::vec3(0.45F, -1.0F, -0.3F)};
+    /// By Side: where the elbow points, outward, up and ahead; from a beat after the pattern begins
+    /// to a beat before it ends, at its ends as by default
+    std::array<glm::vec3, 2> elbow{kUsualElbow, kUsualElbow};
 };
 
 /// The arms of one who dances alone, instead of those of figures that were learnt from couples.

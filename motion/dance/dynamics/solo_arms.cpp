@@ -14,6 +14,8 @@ namespace raks::motion {
 namespace {
 
 constexpr std::uint64_t kSoloStream = 77;
+constexpr std::uint64_t kWayStream = 78;
+constexpr float kUnlike = 0.18F;       // share of the way from home that it differs by
 constexpr double kLongestWay = 1.0;    // beats that a hand takes to its next key
 constexpr float kStraightest = 0.99F;  // of the arm's length
 constexpr float kMostFolded = 0.25F;
@@ -72,6 +74,20 @@ glm::vec3 wrist_at(const std::vector<ArmPattern::Key>& keys,
             static_cast<float>(leaves), static_cast<float>(beats), static_cast<float>(beat)));
 }
 
+/// How far this time's way from home is from what is written, outward, up and ahead: no two times
+/// are alike.
+glm::vec3 ways_at(std::uint64_t seed, std::int64_t number, Side side) noexcept {
+    const CounterRandom random(seed, kWayStream);
+    const auto first = 6 * static_cast<std::uint64_t>(std::max<std::int64_t>(number, 0)) +
+                       3 * static_cast<std::uint64_t>(side);
+    glm::vec3 ways{};
+    for (std::uint64_t axis = 0; axis < 3; ++axis) {
+        ways[static_cast<glm::vec3::length_type>(axis)] =
+            1.0F + kUnlike * (2.0F * static_cast<float>(random.uniform(first + axis)) - 1.0F);
+    }
+    return ways;
+}
+
 glm::vec3 left_or_right(const glm::vec3& left, Side side) noexcept {
     return {side == Side::left ? left.x : -left.x, left.y, left.z};
 }
@@ -124,6 +140,9 @@ void dance_solo_arms(const SoloArms& solo,
     const double beat = moment.phase - number * solo.beats;
     const Chosen chosen = chosen_at(solo, moment.seed, static_cast<std::int64_t>(number));
     const ArmPattern& pattern = solo.patterns[chosen.pattern];
+    // All patterns begin and end alike, their elbows too.
+    const float own_elbow =
+        smootherstep(static_cast<float>(std::min(beat, solo.beats - beat) / kLongestWay));
     const WorldPose world = world_body(skeleton, pose);
     const glm::quat& chest = world.rotation(Bone::upper_chest);
     for (const Side side : kSides) {
@@ -133,12 +152,14 @@ void dance_solo_arms(const SoloArms& solo,
         const float length = glm::length(skeleton.offsets[index_of(arm.lower)]) +
                              glm::length(skeleton.offsets[index_of(arm.end)]);
         const glm::vec3 written = wrist_at(pattern.keys[hand], solo.home, solo.beats, beat);
-        const glm::vec3 wrist = solo.home + moment.size * (written - solo.home);
+        const glm::vec3 ways =
+            moment.size * ways_at(moment.seed, static_cast<std::int64_t>(number), side);
+        const glm::vec3 wrist = solo.home + ways * (written - solo.home);
         put_arm(skeleton,
                 world,
                 side,
                 chest * (length * left_or_right(wrist, side)),
-                chest * left_or_right(pattern.elbow[hand], side),
+                chest * left_or_right(glm::mix(kUsualElbow, pattern.elbow[hand], own_elbow), side),
                 pose);
     }
 }
