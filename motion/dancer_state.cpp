@@ -132,11 +132,11 @@ Beats Dancer::State::shown_phase(StreamTime now, Nanos ahead) const noexcept {
 }
 
 /// The pose of the figures at a phase; who dances a couples' dance alone has arms of its own.
-Pose Dancer::State::danced_at(Beats phase) const noexcept {
+Pose Dancer::State::danced_at(Beats shown_at) const noexcept {
     const Manner own = has_dynamics() ? manner.manner() : Manner();
-    Pose pose = sequence.at(phase, own);
+    Pose pose = sequence.at(shown_at, own);
     if (!part.is_in_couple && !is_free()) {
-        dance_solo_arms(content().solo, {phase.count(), part.ways, own.arms}, skeleton, pose);
+        dance_solo_arms(content().solo, {shown_at.count(), part.ways, own.arms}, skeleton, pose);
     }
     return pose;
 }

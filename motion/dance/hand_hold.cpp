@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "motion/dance/partner_clearance.hpp"
-
 #include <glm/geometric.hpp>
 
 namespace raks::motion {
@@ -20,7 +18,24 @@ constexpr float kClosedLook = 0.8F;
 constexpr HopIndex kPlaceAhead = 18;
 // Share of what their knees must go aside that each of the two does at once.
 constexpr float kKneeShare = 0.7F;
-constexpr float kClose = 0.6F;      // metres between hips within which knees are looked at again
+constexpr int kKneeRounds = 2;
+constexpr float kClose = 0.6F;  // metres between hips within which knees may meet
+// Seconds; time constant of each stage of the filter of the ways of arms, and hops ahead among
+// which the longest way is taken, so that a hand is out of the way in time.
+constexpr float kWayStage = 0.03F;
+constexpr float kWayStep = static_cast<float>(to_seconds(kHop)) / kWayStage;
+constexpr HopIndex kWaysAhead = 16;
+
+void keep_longer(const ArmWays& one, ArmWays& longest) noexcept {
+    for (std::size_t side = 0; side < one.size(); ++side) {
+        if (glm::length(one[side].wrist) > glm::length(longest[side].wrist)) {
+            longest[side].wrist = one[side].wrist;
+        }
+        if (glm::length(one[side].elbow) > glm::length(longest[side].elbow)) {
+            longest[side].elbow = one[side].elbow;
+        }
+    }
+}
 constexpr float kLookStep = 0.03F;  // a hop; reached within half a second or so
 
 /// What the figure wants held at a moment, [0, 1].
@@ -67,6 +82,7 @@ void HandHold::prepare(const Skeleton& lead, const Skeleton& follow) {
 
 void HandHold::reset() noexcept RAKS_NONBLOCKING {
     stages_ = Stages{};
+    ways_ = WayStages{};
     place_ = PartnerPlace();
     look_ = 0.0F;
     is_closed_ = false;
@@ -75,6 +91,7 @@ void HandHold::reset() noexcept RAKS_NONBLOCKING {
 
 void HandHold::go_on_from(const HandHold& before) noexcept RAKS_NONBLOCKING {
     stages_ = before.stages_;
+    ways_ = before.ways_;
     place_ = before.place_;
     look_ = before.look_;
     is_closed_ = before.is_closed_;
@@ -93,26 +110,28 @@ HandHold::Two HandHold::shown(const PoseTrack& lead,
     return two;
 }
 
-void HandHold::keep_apart(const GripWeights& held, Two& two) const noexcept {
+std::array<ArmWays, 2> HandHold::ways_apart(const GripWeights& held,
+                                            const Two& two) const noexcept {
     const auto lying = [&](std::size_t role) {
         return std::array<float, 2>{held[index_of(laid(role, Side::left))],
                                     held[index_of(laid(role, Side::right))]};
     };
-    const WorldPose follow_world = world_body(follow_, two.follow);
-    const PartnerBody follow(follow_.girth, follow_world);
-    follow.keep_off(lead_, lying(0), two.lead);
-    const WorldPose lead_world = world_body(lead_, two.lead);
-    const PartnerBody lead(lead_.girth, lead_world);
-    lead.keep_off(follow_, lying(1), two.follow);
+    const PartnerBody follow(follow_.girth, world_body(follow_, two.follow));
+    const PartnerBody lead(lead_.girth, world_body(lead_, two.lead));
+    return {follow.ways_off(lead_, lying(0), two.lead),
+            lead.ways_off(follow_, lying(1), two.follow)};
+}
+
+void HandHold::turn_knees(Two& two) const noexcept {
     // Whose knees go aside first leaves the other one less to do, but may meet the other leg.
-    follow.turn_knees(lead_, lead_world, kKneeShare, two.lead);
-    lead.turn_knees(follow_, follow_world, kKneeShare, two.follow);
-    const bool is_close = glm::distance(two.lead.hips_position, two.follow.hips_position) < kClose;
-    if (is_close) {
-        const WorldPose now = world_body(follow_, two.follow);
-        const WorldPose own = world_body(lead_, two.lead);
-        PartnerBody(follow_.girth, now).turn_knees(lead_, own, kKneeShare, two.lead);
-        PartnerBody(lead_.girth, own).turn_knees(follow_, now, kKneeShare, two.follow);
+    for (int round = 0; round < kKneeRounds; ++round) {
+        if (glm::distance(two.lead.hips_position, two.follow.hips_position) > kClose) {
+            return;
+        }
+        const WorldPose follow = world_body(follow_, two.follow);
+        const WorldPose lead = world_body(lead_, two.lead);
+        PartnerBody(follow_.girth, follow).turn_knees(lead_, lead, kKneeShare, two.lead);
+        PartnerBody(lead_.girth, lead).turn_knees(follow_, follow, kKneeShare, two.follow);
     }
 }
 
@@ -135,6 +154,7 @@ void HandHold::advance(const HoldMoment& moment,
     look_ += kLookStep * (look - look_);
     Stages stages = stages_;
     PartnerPlace place = place_;
+    WantedWays wanted_ways{};
     const HopIndex last = std::min(lead.newest(), follow.newest());
     // What becomes uncomfortable within the predicted time is let go now: the filter is as slow.
     const Two at_last = shown(lead, follow, last);
@@ -162,7 +182,45 @@ void HandHold::advance(const HoldMoment& moment,
         }
         grips_.hold(stages.back(), frame, lead_world, follow_world, two.lead, two.follow);
         look_at_one_another({look_, danced}, lead_world, follow_world, two.lead, two.follow);
-        keep_apart(stages.back(), two);
+        turn_knees(two);
+        wanted_ways[static_cast<std::size_t>(hop - now)] = ways_apart(stages.back(), two);
+        two.lead.hips_position /= sizes_.lead;
+        two.follow.hips_position /= sizes_.follow;
+        lead.replace(hop, two.lead);
+        follow.replace(hop, two.follow);
+    }
+    keep_off(wanted_ways, last, lead, follow);
+}
+
+void HandHold::keep_off(const WantedWays& wanted,
+                        HopIndex last,
+                        PoseTrack& lead,
+                        PoseTrack& follow) noexcept {
+    WayStages stages = ways_;
+    for (HopIndex hop = newest_; hop <= last; ++hop) {
+        const HopIndex first = hop - newest_;
+        std::array<ArmWays, 2> input = wanted[static_cast<std::size_t>(first)];
+        for (HopIndex ahead = first; ahead <= std::min(first + kWaysAhead, last - newest_);
+             ++ahead) {
+            keep_longer(wanted[static_cast<std::size_t>(ahead)][0], input[0]);
+            keep_longer(wanted[static_cast<std::size_t>(ahead)][1], input[1]);
+        }
+        for (std::array<ArmWays, 2>& stage : stages) {
+            for (std::size_t role = 0; role < stage.size(); ++role) {
+                for (std::size_t side = 0; side < stage[role].size(); ++side) {
+                    ArmWay& way = stage[role][side];
+                    way.wrist += kWayStep * (input[role][side].wrist - way.wrist);
+                    way.elbow += kWayStep * (input[role][side].elbow - way.elbow);
+                }
+            }
+            input = stage;
+        }
+        if (hop == newest_) {
+            ways_ = stages;
+        }
+        Two two = shown(lead, follow, hop);
+        move_arms(lead_, input[0], two.lead);
+        move_arms(follow_, input[1], two.follow);
         two.lead.hips_position /= sizes_.lead;
         two.follow.hips_position /= sizes_.follow;
         lead.replace(hop, two.lead);

@@ -7,6 +7,7 @@
 #include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "motion/dance/couple_grips.hpp"
+#include "motion/dance/partner_clearance.hpp"
 #include "motion/dance/partner_place.hpp"
 #include "motion/figures/couple_form.hpp"
 #include "motion/skeleton/pose_track.hpp"
@@ -58,7 +59,16 @@ class HandHold {
     [[nodiscard]] Two shown(const PoseTrack& lead,
                             const PoseTrack& follow,
                             HopIndex hop) const noexcept;
-    void keep_apart(const GripWeights& held, Two& two) const noexcept;
+    [[nodiscard]] std::array<ArmWays, 2> ways_apart(const GripWeights& held,
+                                                    const Two& two) const noexcept;
+    void turn_knees(Two& two) const noexcept;
+    /// By hop from the newest final one.
+    using WantedWays = std::array<std::array<ArmWays, 2>, PoseTrack::kPredictedPoses + 1>;
+    void keep_off(const WantedWays& wanted,
+                  HopIndex last,
+                  PoseTrack& lead,
+                  PoseTrack& follow) noexcept;
+    using WayStages = std::array<std::array<ArmWays, 2>, kOrder>;  // of lead and follow
 
     CoupleGrips grips_{mannequin_skeleton(), mannequin_skeleton()};
     // As they are shown.
@@ -66,6 +76,7 @@ class HandHold {
     Skeleton follow_;
     CoupleSizes sizes_;
     Stages stages_{};     // of the filter, at newest_
+    WayStages ways_{};    // likewise: how far arms are moved off the partner
     PartnerPlace place_;  // likewise
     float look_ = 0.0F;   // likewise: how much they look at one another
     bool is_closed_ = false;

@@ -153,9 +153,30 @@ void PartnerBody::add_push(const Part& part,
     sum.is_any = true;
 }
 
-void PartnerBody::keep_off(const Skeleton& skeleton,
-                           const std::array<float, 2>& lying,
-                           Pose& pose) const noexcept RAKS_NONBLOCKING {
+void move_arms(const Skeleton& skeleton,
+               const ArmWays& ways,
+               Pose& pose) noexcept RAKS_NONBLOCKING {
+    const float most = std::max({glm::length(ways[0].wrist),
+                                 glm::length(ways[0].elbow),
+                                 glm::length(ways[1].wrist),
+                                 glm::length(ways[1].elbow)});
+    if (most < kLeast) {
+        return;
+    }
+    const WorldPose world = world_body(skeleton, pose);
+    for (const Side side : kSides) {
+        const ArmWay& way = ways[static_cast<std::size_t>(side)];
+        const Limb arm = arm_of(world, side);
+        solve_limb(skeleton, arm, world.position(arm.end) + way.wrist, pose);
+        turn_elbow(skeleton, arm, world.position(arm.lower) + way.elbow - arm.root, 1.0F, pose);
+    }
+}
+
+ArmWays PartnerBody::ways_off(const Skeleton& skeleton,
+                              const std::array<float, 2>& lying,
+                              const Pose& danced) const noexcept RAKS_NONBLOCKING {
+    ArmWays ways{};
+    Pose pose = danced;
     WorldPose world = world_body(skeleton, pose);
     const glm::vec3 outward =
         unit(world.position(Bone::chest) - middle_, glm::vec3(0.0F, 0.0F, 1.0F));
@@ -164,11 +185,13 @@ void PartnerBody::keep_off(const Skeleton& skeleton,
     // Farther away nothing of either reaches the other.
     constexpr float kBodies = 0.7F;  // metres: half trunks and hands
     if (glm::distance(world.position(Bone::chest), middle_) > arm_length + kBodies) {
-        return;
+        return ways;
     }
     for (const Side side : kSides) {
         const float lies = lying[static_cast<std::size_t>(side)];
         const float spare = kSpare + lies * (kLying - kSpare);
+        const glm::vec3 hand = world.position(on_side(Bone::left_hand, side));
+        const glm::vec3 elbow = world.position(on_side(Bone::left_lower_arm, side));
         for (int round = 0; round < kRounds; ++round) {
             const ArmSkin skin(skeleton.girth, world, side);
             Push sum;
@@ -184,11 +207,14 @@ void PartnerBody::keep_off(const Skeleton& skeleton,
             }
             const Limb arm = arm_of(world, side);
             solve_limb(skeleton, arm, world.position(arm.end) + sum.wrist, pose);
-            const glm::vec3 elbow = world.position(arm.lower) + sum.elbow - arm.root;
-            turn_elbow(skeleton, arm, elbow, 1.0F, pose);
+            turn_elbow(skeleton, arm, world.position(arm.lower) + sum.elbow - arm.root, 1.0F, pose);
             world = world_body(skeleton, pose);
         }
+        ways[static_cast<std::size_t>(side)] = {
+            world.position(on_side(Bone::left_hand, side)) - hand,
+            world.position(on_side(Bone::left_lower_arm, side)) - elbow};
     }
+    return ways;
 }
 
 /// Metres that a bone of a leg must go aside to be clear of a part, at its knee.

@@ -10,6 +10,17 @@
 
 namespace raks::motion {
 
+/// How far an arm must move; metres, world.
+struct ArmWay {
+    glm::vec3 wrist{};  ///< its hand
+    glm::vec3 elbow{};  ///< its elbow
+};
+/// Both arms, by Side.
+using ArmWays = std::array<ArmWay, 2>;
+
+/// Moves both arms that far, as far as they reach. Threads: any. Real-time: yes.
+void move_arms(const Skeleton& skeleton, const ArmWays& ways, Pose& pose) noexcept RAKS_NONBLOCKING;
+
 /// What of a body is in the way of another one: of its arms trunk, neck and head, upper arms; of
 /// its legs the legs.
 class PartnerBody {
@@ -17,13 +28,12 @@ class PartnerBody {
     /// `world`: of the pose.
     PartnerBody(const Girth& girth, const WorldPose& world) noexcept;
 
-    /// Moves hands and forearms of `pose` out of that body, until they are 1 cm off its skin or
-    /// more, by the arms alone. It begins softly, some centimetres before, so that smooth motion
-    /// stays smooth. `lying`: by Side, how much that hand lies on the partner by the hold, [0, 1]:
-    /// it may touch. Threads: any. Real-time: yes.
-    void keep_off(const Skeleton& skeleton,
-                  const std::array<float, 2>& lying,
-                  Pose& pose) const noexcept RAKS_NONBLOCKING;
+    /// How far the arms of `pose` must move until hands and forearms are 1 cm off that body's skin
+    /// or more. It begins softly, some centimetres before. `lying`: by Side, how much that hand
+    /// lies on the partner by the hold, [0, 1]: it may touch. Threads: any. Real-time: yes.
+    [[nodiscard]] ArmWays ways_off(const Skeleton& skeleton,
+                                   const std::array<float, 2>& lying,
+                                   const Pose& pose) const noexcept RAKS_NONBLOCKING;
 
     /// Turns knees of `pose` aside, out of that body's legs, by the share [0, 1] of what is needed;
     /// hips and feet stay. `world`: of the pose. Threads: any. Real-time: yes.

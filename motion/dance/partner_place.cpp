@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/smooth_steps.hpp"
 #include "base/time.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 
@@ -15,6 +16,7 @@ constexpr float kHopSeconds = static_cast<float>(to_seconds(kHop));
 // Radians a second of the critically damped spring that moves her: half the way in 0.15 s.
 constexpr float kSpring = 11.0F;
 constexpr float kFootSeconds = 0.07F;  // time constant of a foot in the air
+constexpr float kFootLeaves = 0.15F;   // seconds in the air until it goes as fast
 constexpr float kMostAside = 0.17F;    // metres that the hips may be aside of the feet, soft limit
 constexpr float kNowhere = 1e-5F;      // metres; less is not moved
 
@@ -56,9 +58,10 @@ void PartnerPlace::advance(const glm::vec2& way, const Pose& danced) noexcept RA
     speed_ += kHopSeconds * kSpring * (kSpring * (way - goal_) - 2.0F * speed_);
     goal_ += kHopSeconds * speed_;
     for (std::size_t side = 0; side < feet_.size(); ++side) {
-        if (!danced.foot_contact[side]) {
-            feet_[side] += kHopSeconds / kFootSeconds * (goal_ - feet_[side]);
-        }
+        air_[side] = danced.foot_contact[side] ? 0.0F : air_[side] + kHopSeconds;
+        // The hips lean after the feet: a foot that leaves at once would jerk them.
+        const float leaves = smoothstep(0.0F, kFootLeaves, air_[side]);
+        feet_[side] += leaves * kHopSeconds / kFootSeconds * (goal_ - feet_[side]);
     }
 }
 

@@ -43,6 +43,7 @@ class PartnerPlace {
     glm::vec2 goal_{};  // `way`, filtered
     glm::vec2 speed_{};
     std::array<glm::vec2, 2> feet_{};  // how far each has moved
+    std::array<float, 2> air_{};       // seconds for which each has been in the air
 };
 
 }  // namespace raks::motion

@@ -61,7 +61,9 @@ TEST(PartnerBody, hands_and_forearms_keep_a_centimetre_off_trunk_and_head) {
                 const Pose follow = reaching(other, ahead, kHalfTurn, -1.2F);
                 const float before = clearance(mannequin_skeleton(), lead, other, follow);
                 const PartnerBody body(other.girth, world_body(other, follow));
-                body.keep_off(mannequin_skeleton(), {0.0F, 0.0F}, lead);
+                move_arms(mannequin_skeleton(),
+                          body.ways_off(mannequin_skeleton(), {0.0F, 0.0F}, lead),
+                          lead);
                 const float after = clearance(mannequin_skeleton(), lead, other, follow);
                 EXPECT_GT(after, std::min(before, 0.0F)) << ahead << " " << lift;
                 EXPECT_GT(after, 0.01F) << ahead << " " << lift << " from " << before;
@@ -75,7 +77,7 @@ TEST(PartnerBody, who_is_far_away_is_left_alone) {
     Pose lead = free;
     const Pose follow = reaching(mannequin_skeleton(), 2.0F, kHalfTurn, 0.0F);
     const PartnerBody body(mannequin_skeleton().girth, world_body(mannequin_skeleton(), follow));
-    body.keep_off(mannequin_skeleton(), {0.0F, 0.0F}, lead);
+    move_arms(mannequin_skeleton(), body.ways_off(mannequin_skeleton(), {0.0F, 0.0F}, lead), lead);
     for (std::size_t i = 0; i < kBoneCount; ++i) {
         EXPECT_EQ(lead.local_rotations[i], free.local_rotations[i]);
     }
@@ -92,7 +94,7 @@ TEST(PartnerBody, arms_of_any_length_give_numbers) {
         const Pose follow = reaching(mannequin_skeleton(), 0.4F, kHalfTurn, 0.0F);
         const PartnerBody body(mannequin_skeleton().girth,
                                world_body(mannequin_skeleton(), follow));
-        body.keep_off(own, {0.0F, 0.5F}, lead);
+        move_arms(own, body.ways_off(own, {0.0F, 0.5F}, lead), lead);
         for (const glm::quat& rotation : lead.local_rotations) {
             EXPECT_NEAR(glm::length(rotation), 1.0F, 1e-3F);
         }
