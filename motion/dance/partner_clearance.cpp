@@ -11,8 +11,8 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kSpare =
-    0.02F;                      // metres that an arm keeps off the skin; clothes and hair are thick
+// Metres that an arm keeps off the skin: clothes and hair are thick.
+constexpr float kSpare = 0.03F;
 constexpr float kSoft = 0.05F;  // metres before that at which it is pushed first
 // A hand that lies on the partner may be so near, metres, and no more of it is in the way.
 constexpr float kLying = -0.03F;
