@@ -7,6 +7,7 @@
 #include "motion/dance/body/collar_bones.hpp"
 #include "motion/dance/body/hands.hpp"
 #include "motion/dance/body/limb_ik.hpp"
+#include "motion/dance/dynamics/solo_arms.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -121,12 +122,22 @@ Beats Dancer::State::shown_phase(StreamTime now, Nanos ahead) const noexcept {
                          : phase.phase_after(ahead + landing_lead(delay, pace));
 }
 
-/// The pose of the figures, `ahead` of the hop at `now`.
+/// The pose of the figures at a phase; who dances a couples' dance alone has arms of its own.
+Pose Dancer::State::danced_at(Beats shown_at) const noexcept {
+    const Manner own = has_dynamics() ? manner.manner() : Manner();
+    Pose pose = sequence.at(shown_at, own);
+    if (!part.is_in_couple && !is_free()) {
+        dance_solo_arms(content().solo, {shown_at.count(), part.ways, own.arms}, skeleton, pose);
+    }
+    return pose;
+}
+
+/// The same, `ahead` of the hop at `now`.
 Pose Dancer::State::danced(StreamTime now, Nanos ahead) const noexcept {
     if (still.posture() && still.is_at_rest(now + ahead)) {
         return *still.posture();
     }
-    return sequence.at(shown_phase(now, ahead), has_dynamics() ? manner.manner() : Manner());
+    return danced_at(shown_phase(now, ahead));
 }
 
 /// The pose of one who does not dance.

@@ -151,6 +151,7 @@ struct Dancer::State : Dancer::Course {
     [[nodiscard]] bool has_dynamics() const noexcept;
     [[nodiscard]] Beats shown_phase(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose waiting(StreamTime now, Nanos ahead, const Looks& own) const noexcept;
+    [[nodiscard]] Pose danced_at(Beats phase) const noexcept;
     [[nodiscard]] Pose danced(StreamTime now, Nanos ahead) const noexcept;
     [[nodiscard]] Pose layered(StreamTime now,
                                Nanos ahead,

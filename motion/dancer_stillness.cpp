@@ -65,7 +65,7 @@ constexpr std::array<ArmPosture, 7> kArmPostures = {{
 // What ends a stillness depends on what began it.
 void Dancer::State::stay_still(const MusicState& music) noexcept {
     if (still.is_at_rest(music.time) && !still.posture()) {
-        still.keep(sequence.at(still.phase(music.time), manner.manner()));
+        still.keep(danced_at(still.phase(music.time)));
     }
     const double rested = still.seconds_at_rest(music.time);
     const bool sounds = music.part != MusicPart::stopped && !music.is_silent;

@@ -58,7 +58,8 @@ HoldMoment Ensemble::hold_moment() const noexcept {
             return cut(one.name) == std::string_view(status.figure.data());
         });
     if (figure != content.figures.end()) {
-        moment.hold = content.hold;
+        moment.hold = content.form.hold;
+        moment.frame = content.form.frame;
         moment.holds = figure->holds;
         moment.beat = status.phase;
         moment.beats = figure->beats;

@@ -185,6 +185,9 @@ Expected<DanceSetup> read_dances(engine::Settings& settings, const motion::Skele
     for (const std::string& note : engine::material_notes(settings, *catalogue)) {
         say(note);
     }
+    for (const std::string& note : engine::hold_notes(settings, *catalogue)) {
+        say(note);
+    }
     auto models = engine::load_analyzer_models(catalogue->list(), engine::genre_aids_of(settings));
     if (!models) {
         return fail(std::move(models.error()));

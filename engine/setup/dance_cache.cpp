@@ -68,6 +68,12 @@ std::uint64_t with_grammar(const motion::FigureGrammar& grammar, std::uint64_t h
 // Part of a file's name for any body but the mannequin.
 constexpr std::string_view kBody = "-body";
 
+/// The body as far as dances are solved for it: how large it is shown does not matter.
+motion::Skeleton solved_for(motion::Skeleton body) {
+    body.shown_size = motion::Skeleton().shown_size;
+    return body;
+}
+
 std::string name_of_body(const motion::Skeleton& skeleton) {
     return fmt::format("{}{:016x}", kBody, with_bytes_of(skeleton, hash_of("")));
 }
@@ -108,8 +114,9 @@ DanceCache DanceCache::of_user() {
 }
 
 fs::path DanceCache::path_of(const DancePlan& plan,
-                             const motion::Skeleton& skeleton,
+                             const motion::Skeleton& shown,
                              const DanceForm& form) const {
+    const motion::Skeleton skeleton = solved_for(shown);
     // No home, no cache.
     if (folder_.empty()) {
         return {};
@@ -140,7 +147,8 @@ fs::path DanceCache::path_of(const DancePlan& plan,
 
 fs::path DanceCache::path_of(std::string_view dance,
                              std::string_view cells,
-                             const motion::Skeleton& skeleton) const {
+                             const motion::Skeleton& shown) const {
+    const motion::Skeleton skeleton = solved_for(shown);
     if (folder_.empty()) {
         return {};
     }

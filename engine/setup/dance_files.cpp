@@ -217,6 +217,24 @@ std::vector<std::string> material_notes(const Settings& settings, const DanceCat
     return notes;
 }
 
+std::vector<std::string> hold_notes(const Settings& settings, const DanceCatalogue& catalogue) {
+    std::vector<std::string> notes;
+    const DanceForm form = form_of(settings);
+    if (form.company != Company::couple) {
+        return notes;
+    }
+    std::vector<std::string> loaded = other_dances_to_load(settings, catalogue);
+    loaded.insert(loaded.begin(), dance_to_load(settings, catalogue));
+    for (const std::string& name : loaded) {
+        // One that cannot be loaded says so itself.
+        if (const auto plan = catalogue.plan(name, motion::DanceRole::lead, form)) {
+            const std::vector<std::string>& own = plan->grammar.notes;
+            notes.insert(notes.end(), own.begin(), own.end());
+        }
+    }
+    return notes;
+}
+
 GenreAids genre_aids_of(const Settings& settings) {
     return {settings.tagger == "off" ? TaggerUse::off : TaggerUse::on,
             settings.ignore_tags ? FileTags::ignored : FileTags::read};

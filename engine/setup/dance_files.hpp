@@ -55,6 +55,11 @@ namespace raks::engine {
 [[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
                                                       const DanceCatalogue& catalogue);
 
+/// What a person is told once of the holds of the couples' dances that will be loaded: those that
+/// cannot be read, and what is danced instead; a line each. None for other formations.
+[[nodiscard]] std::vector<std::string> hold_notes(const Settings& settings,
+                                                  const DanceCatalogue& catalogue);
+
 /// What the settings allow to help to tell a dance.
 [[nodiscard]] GenreAids genre_aids_of(const Settings& settings);
 /// Whether the settings ask for dynamics.

@@ -5,6 +5,7 @@
 
 #include "base/smooth_steps.hpp"
 #include "motion/dance/body/curves.hpp"
+#include "motion/dance/body/elbow.hpp"
 #include "motion/dance/body/limb_ik.hpp"
 #include "motion/skeleton/palm.hpp"
 
@@ -44,16 +45,29 @@ constexpr float kBefore = 0.04F;
 constexpr float kOverHead = 0.2F;  // metres over the shoulders: there, behind does not matter
 constexpr float kWellOverHead = 0.4F;
 
-// Closed frame. The hands are so far beside the middle of the two shoulders; metres.
-constexpr float kFrameAside = 0.28F;
-// They go with this share of the shoulders' rise and fall: a frame is steadier than the bodies.
-constexpr float kFrameRise = 0.3F;
-// Their height under that of standing shoulders; knees are bent in dancing.
-constexpr float kFrameLower = 0.05F;
-// The palm at the follow's shoulder blade, in the frame of her upper chest; metres.
-constexpr glm::vec3 kBlade{0.105F, -0.03F, -0.115F};
-constexpr float kArmShare = 0.5F;       // place of her palm, from his shoulder to his elbow
-constexpr float kArmThickness = 0.06F;  // from the bone to her palm's middle
+// Closed frame. The hands are so far beside the middle of the two shoulders; of an arm's length.
+constexpr float kFrameAside = 0.7F;
+// Height of the eyes over the head's joint, of that of the head's middle.
+constexpr float kEyes = 0.6F;
+// Places of the partner's body that palms lie on, of the left side: shares of the girth of the
+// trunk's flanks, and metres of a body as large as the mannequin.
+constexpr float kBladeAside = 1.6F;     // of the way from the trunk's middle to that of a flank
+constexpr float kBladeUp = -0.03F;      // from the upper chest's joint
+constexpr float kWaistUp = 0.1F;        // from the hips' joint
+constexpr float kArmShare = 0.5F;       // from shoulder to elbow
+constexpr float kArmThickness = 0.06F;  // from the upper arm's bone to a palm's middle
+constexpr float kShoulderThickness = 0.05F;
+// Outward, up and ahead of its own trunk: where the elbow of a hand that lies on the partner is.
+constexpr glm::vec3 kElbowOut{1.0F, 0.15F, 0.0F};
+constexpr float kElbowShare = 0.8F;  // of the way there
+// The same of joined hands: elbows hang a little.
+constexpr glm::vec3 kElbowDown{0.5F, -1.0F, -0.2F};
+
+constexpr float kUsualArm = 0.53F;  // metres; the mannequin's
+
+std::optional<LaidHand> laid_of(const ClosedFrame* frame, std::size_t role, Side side) noexcept {
+    return frame != nullptr ? frame->laid[role][static_cast<std::size_t>(side)] : std::nullopt;
+}
 
 glm::vec3 direction(const glm::vec3& vector, const glm::vec3& otherwise) noexcept {
     const float length = glm::length(vector);
@@ -75,6 +89,7 @@ struct CoupleGrips::Hand {
     glm::vec3 normal{};   // of the palm, likewise
     float weight = 0.0F;  // sum
     float clasps = 0.0F;  // of it, of palms
+    glm::quat trunk{};    // rotation of the upper chest
 
     Hand() = default;
     Hand(Pose& of, const Body& its_body, const WorldPose& world, Side on)
@@ -84,7 +99,8 @@ struct CoupleGrips::Hand {
           arm(arm_of(world, on)),
           palm(palm_of(world, on)),
           wrist(world.position(arm.end)),
-          danced(of.rotation(arm.end)) {}
+          danced(of.rotation(arm.end)),
+          trunk(world.rotation(Bone::upper_chest)) {}
 
     void add(const glm::vec3& point, const glm::vec3& facing, float share) noexcept {
         target += share * point;
@@ -101,26 +117,13 @@ struct CoupleGrips::Couple {
     const WorldPose& follow_world;
 };
 
-namespace {
-
-/// Standing; metres.
-float shoulder_height_of(const Skeleton& skeleton) noexcept {
-    const WorldPose standing = world_body(skeleton, Pose());
-    return skeleton.hips_height() + standing.position(Bone::left_upper_arm).y -
-           standing.position(Bone::hips).y;
-}
-
-}  // namespace
-
 CoupleGrips::Body::Body(const Skeleton& of)
     : skeleton(of),
       arm_length(glm::length(of.offsets[index_of(Bone::left_lower_arm)]) +
                  glm::length(of.offsets[index_of(Bone::left_hand)])) {}
 
 CoupleGrips::CoupleGrips(const Skeleton& lead, const Skeleton& follow)
-    : lead_(lead),
-      follow_(follow),
-      shoulder_height_(0.5F * (shoulder_height_of(lead) + shoulder_height_of(follow))) {
+    : lead_(lead), follow_(follow) {
     for (const Side side : kSides) {
         set_hand_shape(side, 0.5, clasp_);
         set_hand_shape(side, 0.12, rest_);
@@ -140,7 +143,8 @@ float before(const WorldPose& world, const glm::vec3& point) noexcept {
 
 }  // namespace
 
-GripWeights CoupleGrips::comfort(const WorldPose& lead,
+GripWeights CoupleGrips::comfort(const ClosedFrame* frame,
+                                 const WorldPose& lead,
                                  const WorldPose& follow) const noexcept RAKS_NONBLOCKING {
     const float arms = lead_.arm_length + follow_.arm_length;
     GripWeights comfort{};
@@ -155,15 +159,19 @@ GripWeights CoupleGrips::comfort(const WorldPose& lead,
                                     kClearOfShoulder,
                                     glm::distance(middle, shoulder) / body.arm_length);
             };
-            comfort[index_of(palms(own, other))] =
-                (1.0F - smootherstep(kReached, kStretched, apart)) * clear_of(a, lead_) *
-                clear_of(b, follow_) * before(lead, middle) * before(follow, middle);
+            float& here = comfort[index_of(palms(own, other))];
+            here = 1.0F - smootherstep(kReached, kStretched, apart);
+            if (frame == nullptr) {
+                here *= clear_of(a, lead_) * clear_of(b, follow_) * before(lead, middle) *
+                        before(follow, middle);
+            }
         }
     }
     const float chests =
         glm::distance(lead.position(Bone::upper_chest), follow.position(Bone::upper_chest));
-    comfort[index_of(Grip::back)] = comfort[index_of(Grip::arm)] =
-        1.0F - smootherstep(0.6F * arms, 0.85F * arms, chests);
+    std::fill(comfort.begin() + kPalmPairs,
+              comfort.end(),
+              1.0F - smootherstep(0.6F * arms, 0.85F * arms, chests));
     return comfort;
 }
 
@@ -223,21 +231,94 @@ void CoupleGrips::reach(Hand& hand) const noexcept {
 }
 
 // Beside the couple, on the lead's left.
-glm::vec3 CoupleGrips::frame_point(const Couple& couple) const noexcept {
+glm::vec3 CoupleGrips::frame_point(const ClosedFrame& frame, const Couple& couple) const noexcept {
     glm::vec3 between = couple.follow_world.position(Bone::upper_chest) -
                         couple.lead_world.position(Bone::upper_chest);
     between.y = 0.0F;
     const glm::vec3 aside = glm::cross(kUp, direction(between, kForward));
     glm::vec3 point = 0.5F * (couple.lead[static_cast<std::size_t>(Side::left)].arm.root +
                               couple.follow[static_cast<std::size_t>(Side::right)].arm.root);
-    point += kFrameAside * aside;
-    const float usual = shoulder_height_ - kFrameLower;
-    point.y = usual + kFrameRise * (point.y - usual);
+    point += kFrameAside * 0.5F * (lead_.arm_length + follow_.arm_length) * aside;
+    const glm::vec3 eyes{0.0F, kEyes * follow_.skeleton.girth.head_height, 0.0F};
+    point.y = static_cast<float>(frame.clasp) * couple.follow_world.point(Bone::head, eyes).y;
     return point;
 }
 
+/// A place of the partner that a palm lies on.
+struct CoupleGrips::Spot {
+    glm::vec3 palm{};    // where the palm's middle is to be
+    glm::vec3 facing{};  // what it faces
+
+    /// `pose`: the partner's, its arms as they are by now.
+    Spot(const LaidHand& laid, const Body& of, const WorldPose& world, const Pose& pose) noexcept {
+        const Girth& girth = of.skeleton.girth;
+        const float size = of.arm_length / kUsualArm;
+        const float sign = laid.side == Side::left ? 1.0F : -1.0F;
+        const glm::quat& chest = world.rotation(Bone::upper_chest);
+        switch (laid.on) {
+            case HoldPlace::shoulder_blade:
+                palm = world.point(Bone::upper_chest,
+                                   {sign * kBladeAside * girth.flank,
+                                    kBladeUp * size,
+                                    girth.trunk_ahead - girth.trunk - girth.hand});
+                facing = chest * kForward;
+                return;
+            case HoldPlace::waist:
+                palm = world.point(Bone::hips,
+                                   {sign * (girth.flank + girth.trunk + girth.hand),
+                                    kWaistUp * size,
+                                    girth.trunk_ahead});
+                facing = world.rotation(Bone::hips) * glm::vec3(-sign, 0.0F, 0.0F);
+                return;
+            case HoldPlace::shoulder:
+                palm = world.position(on_side(Bone::left_upper_arm, laid.side)) +
+                       kShoulderThickness * size * kUp;
+                facing = -kUp;
+                return;
+            case HoldPlace::upper_arm:
+                break;
+        }
+        const Limb arm = arm_of(world, laid.side);
+        const glm::vec3 bone =
+            arm.parent * pose.rotation(arm.upper) * of.skeleton.offsets[index_of(arm.lower)];
+        const glm::vec3 along = direction(bone, kForward);
+        const glm::vec3 out = chest * glm::vec3(0.7F * sign, 0.7F, 0.0F);
+        facing = -direction(out - along * glm::dot(out, along), kUp);
+        palm = arm.root + kArmShare * bone - kArmThickness * size * facing;
+    }
+};
+
+/// Gives all hands that hold hands what they reach for.
+void CoupleGrips::join(const GripWeights& weights,
+                       const ClosedFrame* frame,
+                       Couple& couple) const noexcept {
+    for (Hand& own : couple.lead) {
+        for (Hand& other : couple.follow) {
+            const Grip grip = palms(own.side, other.side);
+            const float weight = weights[index_of(grip)];
+            if (weight <= 0.0F) {
+                continue;
+            }
+            const bool is_frame = frame != nullptr && grip == Grip::left_right;
+            glm::vec3 meeting =
+                is_frame ? frame_point(*frame, couple) : 0.5F * (own.palm + other.palm);
+            for (int round = 0; round < kMeetingRounds; ++round) {
+                meeting = within_reach(own.arm, lead_.arm_length, meeting);
+                meeting = within_reach(other.arm, follow_.arm_length, meeting);
+            }
+            // His palm is offered from below, hers lies on it; in the frame they face each other.
+            const glm::vec3 across = direction(other.arm.root - own.arm.root, kForward);
+            const glm::vec3 facing = direction(across + (is_frame ? 0.3F : 0.9F) * kUp, kUp);
+            own.add(meeting - 0.5F * kPalms * facing, facing, weight);
+            other.add(meeting + 0.5F * kPalms * facing, -facing, weight);
+            own.clasps += weight;
+            other.clasps += weight;
+        }
+    }
+}
+
 void CoupleGrips::hold(const GripWeights& weights,
-                       bool is_closed,
+                       const ClosedFrame* frame,
                        const WorldPose& lead_world,
                        const WorldPose& follow_world,
                        Pose& lead,
@@ -251,44 +332,33 @@ void CoupleGrips::hold(const GripWeights& weights,
          Hand(follow, follow_, follow_world, Side::right)},
         lead_world,
         follow_world};
-    for (Hand& own : couple.lead) {
-        for (Hand& other : couple.follow) {
-            const Grip grip = palms(own.side, other.side);
-            const float weight = weights[index_of(grip)];
-            if (weight <= 0.0F) {
-                continue;
-            }
-            const bool is_frame = is_closed && grip == Grip::left_right;
-            glm::vec3 meeting = is_frame ? frame_point(couple) : 0.5F * (own.palm + other.palm);
-            for (int round = 0; round < kMeetingRounds && !is_frame; ++round) {
-                meeting = within_reach(own.arm, lead_.arm_length, meeting);
-                meeting = within_reach(other.arm, follow_.arm_length, meeting);
-            }
-            // His palm is offered from below, hers lies on it; in the frame they face each other.
-            const glm::vec3 across = direction(other.arm.root - own.arm.root, kForward);
-            const glm::vec3 facing = direction(across + (is_frame ? 0.3F : 0.9F) * kUp, kUp);
-            own.add(meeting - 0.5F * kPalms * facing, facing, weight);
-            other.add(meeting + 0.5F * kPalms * facing, -facing, weight);
-            own.clasps += weight;
-            other.clasps += weight;
-        }
+    join(weights, frame, couple);
+    const auto aim = [](const Hand& hand, const glm::vec3& left, float weight) {
+        const glm::vec3 own = hand.side == Side::left ? left : left * glm::vec3(-1.0F, 1.0F, 1.0F);
+        turn_elbow(
+            hand.body->skeleton, hand.arm, hand.trunk * own, kElbowShare * weight, *hand.pose);
+    };
+    const auto lay = [&](std::size_t role, const Spot& spot, Hand& hand) {
+        const float weight = weights[index_of(laid(role, hand.side))];
+        aim(hand, kElbowOut, weight);
+        hand.add(spot.palm, spot.facing, weight);
+    };
+    if (frame != nullptr) {
+        const float joined = weights[index_of(Grip::left_right)];
+        aim(couple.lead[static_cast<std::size_t>(Side::left)], kElbowDown, joined);
+        aim(couple.follow[static_cast<std::size_t>(Side::right)], kElbowDown, joined);
     }
-    Hand& his = couple.lead[static_cast<std::size_t>(Side::right)];
-    his.add(follow_world.point(Bone::upper_chest, kBlade),
-            follow_world.rotation(Bone::upper_chest) * kForward,
-            weights[index_of(Grip::back)]);
     for (Hand& hand : couple.lead) {
+        if (const auto at = laid_of(frame, 0, hand.side)) {
+            lay(0, Spot(*at, follow_, follow_world, follow), hand);
+        }
         reach(hand);
     }
-    // His arm is where hers lies on it only now.
-    const glm::quat upper = his.arm.parent * lead.rotation(his.arm.upper);
-    const glm::vec3 bone = upper * lead_.skeleton.offsets[index_of(his.arm.lower)];
-    const glm::vec3 along = direction(bone, kForward);
-    const glm::vec3 out = lead_world.rotation(Bone::upper_chest) * glm::vec3(-0.7F, 0.7F, 0.0F);
-    const glm::vec3 off = direction(out - along * glm::dot(out, along), kUp);
-    couple.follow[static_cast<std::size_t>(Side::left)].add(
-        his.arm.root + kArmShare * bone + kArmThickness * off, -off, weights[index_of(Grip::arm)]);
+    // His arms are where hers lie on them only now.
     for (Hand& hand : couple.follow) {
+        if (const auto at = laid_of(frame, 1, hand.side)) {
+            lay(1, Spot(*at, lead_, lead_world, lead), hand);
+        }
         reach(hand);
     }
 }
@@ -301,6 +371,7 @@ constexpr float kMostPitch = 0.35F;  // radians
 constexpr float kSeen = 1.3F;
 constexpr float kOutOfSight = 2.3F;
 constexpr float kNeckShare = 0.4F;
+constexpr float kPastPitch = 0.06F;  // radians up, over the partner's shoulder
 
 struct Look {
     float yaw = 0.0F;    // to the left
@@ -311,11 +382,9 @@ Look look_of(const glm::vec3& local) noexcept {
     return {std::atan2(local.x, local.z), std::atan2(local.y, std::hypot(local.x, local.z))};
 }
 
-void turn_head(float share, const WorldPose& own, const glm::vec3& partner, Pose& pose) noexcept {
+void turn_head(float share, const WorldPose& own, const Look& wanted, Pose& pose) noexcept {
     const glm::quat back = glm::conjugate(own.rotation(Bone::upper_chest));
-    const Look wanted = look_of(back * (partner - own.position(Bone::head)));
     const Look now = look_of(back * (own.rotation(Bone::head) * kForward));
-    share *= 1.0F - smootherstep(kSeen, kOutOfSight, std::abs(wanted.yaw));
     const float yaw = share * (kMostYaw * std::tanh(wanted.yaw / kMostYaw) - now.yaw);
     const float pitch = share * (kMostPitch * std::tanh(wanted.pitch / kMostPitch) - now.pitch);
     const auto turn = [&](Bone bone, float part) {
@@ -328,18 +397,33 @@ void turn_head(float share, const WorldPose& own, const glm::vec3& partner, Pose
     turn(Bone::head, 1.0F - kNeckShare);
 }
 
+void look_at(float share, const WorldPose& own, const glm::vec3& partner, Pose& pose) noexcept {
+    const glm::quat back = glm::conjugate(own.rotation(Bone::upper_chest));
+    const Look wanted = look_of(back * (partner - own.position(Bone::head)));
+    share *= 1.0F - smootherstep(kSeen, kOutOfSight, std::abs(wanted.yaw));
+    turn_head(share, own, wanted, pose);
+}
+
 }  // namespace
 
-void look_at_one_another(float look,
+void look_at_one_another(const CoupleLook& look,
                          const WorldPose& lead_world,
                          const WorldPose& follow_world,
                          Pose& lead,
                          Pose& follow) noexcept RAKS_NONBLOCKING {
-    if (look <= 0.0F) {
+    if (look.share <= 0.0F) {
         return;
     }
-    turn_head(look, lead_world, follow_world.position(Bone::head), lead);
-    turn_head(look, follow_world, lead_world.position(Bone::head), follow);
+    if (look.frame != nullptr) {
+        const auto past = [&](std::size_t role) {
+            return Look{static_cast<float>(look.frame->look[role]), kPastPitch};
+        };
+        turn_head(look.share, lead_world, past(0), lead);
+        turn_head(look.share, follow_world, past(1), follow);
+        return;
+    }
+    look_at(look.share, lead_world, follow_world.position(Bone::head), lead);
+    look_at(look.share, follow_world, lead_world.position(Bone::head), follow);
 }
 
 }  // namespace raks::motion

@@ -373,7 +373,8 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
 
 void take_rules(const FigureGrammar& grammar, DanceContent& content) {
     // Where nothing is said, his left hand holds her right one.
-    content.hold = grammar.couple ? grammar.couple->hold : CoupleHold::hands;
+    content.solo = grammar.solo;
+    content.form = grammar.couple.value_or(CoupleForm{CoupleHold::hands, {}, {}});
     for (std::size_t i = 0; i < std::min(content.figures.size(), grammar.rules.size()); ++i) {
         LibraryFigure& figure = content.figures[i];
         figure.holds = grammar.rules[i].holds;

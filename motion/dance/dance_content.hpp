@@ -57,8 +57,9 @@ struct DanceContent {
     std::vector<LibraryFigure> figures;             ///< in the order of the grammar's rules
     FigureChooser chooser;                          ///< which figure comes next
     DanceMetre metre;                               ///< its tempo: that of the figures' mean period
-    FloorMove couple;  ///< like `stage`, but one of a couple dances about the stage's centre
-    CoupleHold hold = CoupleHold::none;  ///< of a couple; as the grammar says
+    FloorMove couple;   ///< like `stage`, but one of a couple dances about the stage's centre
+    CoupleForm form;    ///< of a couple; as the grammar says
+    SoloArms solo;      ///< of one alone; as the grammar says
     FloorMove stage;    ///< from a figure's start to the stage: centred, facing the audience
     Pose rest;          ///< what no passage sets: softly bent fingers
     Skeleton skeleton;  ///< that it was solved for

@@ -10,8 +10,10 @@
 #include "base/plain_name.hpp"
 #include "base/suggest.hpp"
 #include "base/toml_reader.hpp"
+#include "motion/figures/couple_form_reader.hpp"
 #include "motion/figures/dance_habits_reader.hpp"
 #include "motion/figures/figure_grammar_format.hpp"
+#include "motion/figures/solo_arms_reader.hpp"
 
 namespace raks::motion {
 namespace {
@@ -21,8 +23,6 @@ namespace fs = std::filesystem;
 constexpr double kLargestWeight = 1e6;      // of `seen` and `after`
 constexpr std::size_t kMostFigures = 1000;  // the weights between them are its square
 constexpr double kFarthest = 10.0;          // metres to a turn point
-constexpr std::size_t kMostHolds = 32;      // of one figure
-constexpr double kLongest = 64.0;           // beats of a figure
 constexpr double kFarthestAside = 1.0;      // metres that a partner moves aside
 
 /// Reads one grammar; reading stops at the first fault.
@@ -97,6 +97,7 @@ class GrammarReader {
                                   "lead",
                                   "follow",
                                   "couple",
+                                  "solo",
                                   "figure"});
             !ok) {
             return ok;
@@ -147,75 +148,14 @@ class GrammarReader {
                 return ok;
             }
         }
-        return read_couple(root, grammar);
-    }
-
-    // [couple]; may be absent.
-    Expected<void> read_couple(const toml::table& root, FigureGrammar& grammar) const {
-        const toml::node* const node = root.get("couple");
-        if (node == nullptr) {
-            return {};
+        // A hold that is none is no reason not to dance.
+        if (const toml::node* const couple = root.get("couple")) {
+            HoldComplaints complaints(name_, grammar.notes);
+            grammar.couple = read_couple_form(*couple, complaints);
         }
-        const toml::table* const table = node->as_table();
-        if (table == nullptr) {
-            return fail(where(*node) + ": couple must be a table");
-        }
-        if (auto ok = check_keys(*table, {"hold", "apart"}); !ok) {
-            return ok;
-        }
-        CoupleForm form;
-        const std::string hold = (*table)["hold"].value_or(std::string());
-        const auto named = std::find(kCoupleHoldNames.begin(), kCoupleHoldNames.end(), hold);
-        if (named == kCoupleHoldNames.end()) {
-            return fail(where(*node) + ": hold must be \"none\", \"hands\" or \"closed\"");
-        }
-        form.hold = static_cast<CoupleHold>(named - kCoupleHoldNames.begin());
-        if (table->contains("apart")) {
-            const auto apart = (*table)["apart"];
-            form.apart = glm::dvec2(number_of(apart[0]), number_of(apart[1]));
-            if (!(std::abs(form.apart->x) <= kFarthest && std::abs(form.apart->y) <= kFarthest)) {
-                return fail(fmt::format(
-                    "{}: apart must be [left, forward], each up to {} m", where(*node), kFarthest));
-            }
-        }
-        grammar.couple = form;
-        return {};
-    }
-
-    // The holds of one figure; may be absent.
-    Expected<void> read_holds(const toml::table& table, FigureGrammar::Rule& rule) const {
-        const toml::node* const node = table.get("holds");
-        const toml::array* const array = node != nullptr ? node->as_array() : nullptr;
-        if (node != nullptr && (array == nullptr || array->size() > kMostHolds)) {
-            return fail(fmt::format(
-                "{}: holds must be a list of at most {} tables", where(*node), kMostHolds));
-        }
-        for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-            const toml::node& one = *array->get(i);
-            const toml::table* const hold = one.as_table();
-            if (hold == nullptr) {
-                return fail(where(one) + ": a hold must be { lead, follow, from, to }");
-            }
-            if (auto ok = check_keys(*hold, {"lead", "follow", "from", "to"}); !ok) {
-                return ok;
-            }
-            const std::string lead = (*hold)["lead"].value_or(std::string());
-            const std::string follow = (*hold)["follow"].value_or(std::string());
-            HeldHands held;
-            held.lead = lead == "right" ? Side::right : Side::left;
-            held.follow = follow == "left" ? Side::left : Side::right;
-            held.from = number_of((*hold)["from"]);
-            held.to = number_of((*hold)["to"]);
-            const bool has_hands =
-                (lead == "left" || lead == "right") && (follow == "left" || follow == "right");
-            if (!has_hands || !(held.from >= 0.0 && held.from < held.to && held.to <= kLongest)) {
-                return fail(
-                    fmt::format("{}: a hold needs lead and follow, \"left\" or \"right\", "
-                                "and from < to, beats from 0 to {}",
-                                where(one),
-                                kLongest));
-            }
-            rule.holds.push_back(held);
+        if (const toml::node* const solo = root.get("solo")) {
+            HoldComplaints complaints(name_, grammar.notes);
+            grammar.solo = read_solo_arms(*solo, complaints);
         }
         return {};
     }
@@ -385,8 +325,9 @@ class GrammarReader {
             }
             rule.still = static_cast<StillPart>(named - kStillPartNames.begin());
         }
-        if (auto ok = read_holds(*table, rule); !ok) {
-            return ok;
+        if (const toml::node* const holds = table->get("holds")) {
+            HoldComplaints complaints(name_, grammar.notes);
+            rule.holds = read_held_hands(*holds, complaints);
         }
         grammar.rules.push_back(std::move(rule));
         return {};

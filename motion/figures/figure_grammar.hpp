@@ -13,6 +13,7 @@
 #include "motion/figures/couple_form.hpp"
 #include "motion/figures/dance_habits.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/figures/solo_arms.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -57,6 +58,9 @@ struct FigureGrammar {
     std::vector<Place> places;         ///< one a role; none: each turns about its own point
     std::optional<CoupleForm> couple;  ///< none: nothing is said; a dance for one has none
     std::vector<Rule> rules;           ///< one a figure; the dance begins with the first
+    SoloArms solo;                     ///< of a couples' dance: the arms of one who dances it alone
+    /// What of the file is no hold, and what is danced instead; a line each
+    std::vector<std::string> notes;
 
     /// The place of a role; null: the dance has none.
     [[nodiscard]] const Place* place_of(DanceRole role) const noexcept;
@@ -66,18 +70,18 @@ struct FigureGrammar {
 };
 
 /// Reads models/trained/DANCE.toml: format = "raks-dance", version = 1, dance, beats_per_bar (2 to
-/// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at,
-/// mirror, endings, idle and [hands] (see DanceHabits), and one [[figure]] each with name, energy,
-/// `seen` (default 1) and `after` = { figure = weight, ... }; without `after` every other figure
-/// follows, weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left,
-/// forward] and heading in degrees, and in a figure lead_aside and follow_aside = [left, forward];
-/// [couple] with hold
-/// ("none", "hands" or "closed") and apart = [left, forward], and in a figure mirror (default
-/// true), half_tempo (default false), hands (shapes), still ("chest" or "head") and holds = [{
-/// lead, follow ("left" or "right"), from, to (beats) }, ...]. Errors, one line: not readable, not
-/// TOML, another format, a newer version, unknown keys and figures (the nearest name is given), two
-/// figures of one name, weights that are negative or no numbers, a figure that nothing follows.
-/// Threads: workers. Real-time: no.
+/// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at, mirror,
+/// endings, idle and [hands] (see DanceHabits), and one [[figure]] each with name, energy, `seen`
+/// (default 1) and `after` = { figure = weight, ... }; without `after` every other figure follows,
+/// weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left, forward] and
+/// heading in degrees, and in a figure lead_aside and follow_aside = [left, forward]; [couple] with
+/// hold ("none", "hands" or "closed"), apart = [left, forward] and of a closed hold hips, clasp,
+/// look and contacts (ClosedFrame); [solo] (read_solo_arms); and in a figure mirror (default true),
+/// half_tempo (default false), hands (shapes), still ("chest" or "head") and holds = [{ lead,
+/// follow ("left" or "right"), from, to (beats) }, ...]. A hold that cannot be read is left out,
+/// and `notes` says so. Errors, one line: not readable, not TOML, another format, a newer version,
+/// unknown keys and figures (the nearest name is given), two figures of one name, weights that are
+/// negative or no numbers, a figure that nothing follows. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);

@@ -46,7 +46,7 @@ Nearness nearness(const Capsule& one, const Capsule& other) noexcept RAKS_NONBLO
     const float second = std::clamp(free, 0.0F, 1.0F);
     const float s = std::clamp((ab * second - ac) / aa, 0.0F, 1.0F);
     const glm::vec3 away = one.from + s * a - (other.from + second * b);
-    return {away, glm::length(away) - one.radius - other.radius};
+    return {away, glm::length(away) - one.radius - other.radius, s};
 }
 
 std::array<Capsule, 2> hand_capsules(const Girth& girth,

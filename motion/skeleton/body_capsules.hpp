@@ -40,6 +40,7 @@ using BodyCapsules = std::array<Capsule, kBodyCapsuleNames.size()>;
 struct Nearness {
     glm::vec3 away{};     ///< from the other's segment to the first one's; metres
     float metres = 0.0F;  ///< distance of the skins; negative: depth inside one another
+    float at = 0.0F;      ///< where on the first one's segment, [0, 1] from its `from`
 };
 
 /// The nearest points; neither segment may be a point. Threads: any. Real-time: yes.

@@ -43,6 +43,9 @@ struct Skeleton {
     glm::vec3 heel{};        ///< back of the heel, likewise
     float sole_half = 0.0F;  ///< half the width of the soles; metres
     Girth girth;             ///< of its flesh and clothes
+    /// How large the body is shown against this one, whose dances are solved for a common size;
+    /// > 0. What two bodies do with one another is done at these sizes.
+    float shown_size = 1.0F;
 
     /// Standing height of the hips; metres.
     [[nodiscard]] float hips_height() const noexcept { return offsets[0].y; }

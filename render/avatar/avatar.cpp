@@ -89,7 +89,9 @@ motion::Skeleton dance_body(const Avatar& avatar) noexcept {
     for (const Bone bone : {Bone::spine, Bone::left_upper_leg, Bone::right_upper_leg}) {
         body.offsets[motion::index_of(bone)] += drop;
     }
-    return motion::scaled(body, motion::mannequin_skeleton().hips_height() / body.hips_height());
+    const float size = motion::mannequin_skeleton().hips_height() / body.hips_height();
+    body.shown_size = 1.0F / size;
+    return motion::scaled(body, size);
 }
 
 motion::Pose retargeted(motion::Pose pose,

@@ -45,11 +45,11 @@ struct Two {
 };
 
 /// The couple with these weights held.
-Two held(Two two, const GripWeights& weights, bool is_closed) {
+Two held(Two two, const GripWeights& weights, const ClosedFrame* frame) {
     const CoupleGrips grips(mannequin_skeleton(), mannequin_skeleton());
     const WorldPose lead = world_pose(mannequin_skeleton(), two.lead);
     const WorldPose follow = world_pose(mannequin_skeleton(), two.follow);
-    grips.hold(weights, is_closed, lead, follow, two.lead, two.follow);
+    grips.hold(weights, frame, lead, follow, two.lead, two.follow);
     return two;
 }
 
@@ -74,7 +74,7 @@ TEST(CoupleGrips, palms_that_are_held_meet) {
             for (const float aside : {-0.2F, 0.0F, 0.2F}) {
                 for (const float ahead : {0.5F, 0.65F, 0.8F}) {
                     const Two two =
-                        held(couple(aside, ahead), only(palms(lead, follow), 1.0F), false);
+                        held(couple(aside, ahead), only(palms(lead, follow), 1.0F), nullptr);
                     EXPECT_LT(between_palms(two, lead, follow), 0.04F)
                         << aside << " " << ahead << " " << static_cast<int>(palms(lead, follow));
                     EXPECT_LT(reach_of(two.lead, lead), 0.98F);
@@ -101,7 +101,7 @@ TEST(CoupleGrips, palms_meet_between_arms_of_unlike_length) {
             const WorldPose lead_world = world_pose(lead, two.lead);
             const WorldPose follow_world = world_pose(follow, two.follow);
             grips.hold(only(Grip::left_right, 1.0F),
-                       false,
+                       nullptr,
                        lead_world,
                        follow_world,
                        two.lead,
@@ -116,11 +116,11 @@ TEST(CoupleGrips, palms_meet_between_arms_of_unlike_length) {
 
 TEST(CoupleGrips, nothing_held_changes_nothing_and_a_little_changes_little) {
     const Two free = couple(0.1F, 0.7F);
-    const Two same = held(free, GripWeights{}, false);
+    const Two same = held(free, GripWeights{}, nullptr);
     for (std::size_t i = 0; i < kBoneCount; ++i) {
         EXPECT_EQ(same.lead.local_rotations[i], free.lead.local_rotations[i]);
     }
-    const Two little = held(free, only(Grip::left_right, 1e-3F), false);
+    const Two little = held(free, only(Grip::left_right, 1e-3F), nullptr);
     for (std::size_t i = 0; i < kBoneCount; ++i) {
         EXPECT_GT(std::abs(glm::dot(little.lead.local_rotations[i], free.lead.local_rotations[i])),
                   0.9999F)
@@ -130,7 +130,7 @@ TEST(CoupleGrips, nothing_held_changes_nothing_and_a_little_changes_little) {
 
 TEST(CoupleGrips, other_arms_legs_and_trunk_stay) {
     const Two free = couple(0.1F, 0.7F);
-    const Two two = held(free, only(Grip::left_right, 1.0F), false);
+    const Two two = held(free, only(Grip::left_right, 1.0F), nullptr);
     for (const Bone bone : {Bone::hips,
                             Bone::upper_chest,
                             Bone::right_upper_arm,
@@ -142,37 +142,63 @@ TEST(CoupleGrips, other_arms_legs_and_trunk_stay) {
               free.follow.rotation(Bone::left_lower_arm));
 }
 
-TEST(CoupleGrips, the_closed_frame_is_at_the_height_of_the_shoulders_and_steadier_than_they) {
+GripWeights all_of_frame() {
     GripWeights all{};
-    all[index_of(Grip::left_right)] = all[index_of(Grip::back)] = all[index_of(Grip::arm)] = 1.0F;
-    const auto height = [&](float sunk) {
-        Two two = couple(-0.08F, 0.48F);
-        two.lead.hips_position.y -= sunk;
-        two.follow.hips_position.y -= sunk;
-        two = held(two, all, true);
+    all[index_of(Grip::left_right)] = all[index_of(laid(0, Side::right))] =
+        all[index_of(laid(1, Side::left))] = 1.0F;
+    return all;
+}
+
+TEST(CoupleGrips, the_closed_frame_lays_hands_on_their_contact_points) {
+    const ClosedFrame frame;
+    for (const float ahead : {0.26F, 0.3F, 0.34F}) {
+        const Two two = held(couple(-0.09F, ahead), all_of_frame(), &frame);
         const WorldPose lead = world_pose(mannequin_skeleton(), two.lead);
         const WorldPose follow = world_pose(mannequin_skeleton(), two.follow);
-        EXPECT_LT(between_palms(two, Side::left, Side::right), 0.04F);
-        // His palm lies on her back, behind her and on her left.
+        EXPECT_LT(between_palms(two, Side::left, Side::right), 0.03F);
+        const float eyes =
+            follow.point(Bone::head, {0.0F, 0.6F * mannequin_skeleton().girth.head_height, 0.0F}).y;
+        EXPECT_NEAR(palm_of(lead, Side::left).y, eyes, 0.03F);
+        // His palm lies on her back, behind her and on her left: on the shoulder blade.
         const glm::vec3 hand = glm::conjugate(follow.rotation(Bone::upper_chest)) *
                                (palm_of(lead, Side::right) - follow.position(Bone::upper_chest));
-        EXPECT_LT(hand.z, 0.05F);
-        EXPECT_GT(hand.x, 0.0F);
-        // Hers lies on his upper arm.
+        const Girth& girth = mannequin_skeleton().girth;
+        EXPECT_NEAR(hand.z, -girth.trunk - girth.hand, 0.03F) << ahead;
+        EXPECT_NEAR(hand.x, 1.6F * girth.flank, 0.03F) << ahead;
+        // Hers lies on the outside of his upper arm.
         const glm::vec3 arm =
             0.5F * (lead.position(Bone::right_upper_arm) + lead.position(Bone::right_lower_arm));
-        EXPECT_LT(glm::distance(palm_of(follow, Side::left), arm), 0.12F);
-        return palm_of(lead, Side::left).y;
-    };
-    const float standing_height = height(0.0F);
-    EXPECT_NEAR(standing_height, 1.36F, 0.1F);
-    EXPECT_NEAR(standing_height - height(0.1F), 0.03F, 0.01F);
+        EXPECT_NEAR(glm::distance(palm_of(follow, Side::left), arm), 0.06F, 0.03F) << ahead;
+    }
+}
+
+TEST(CoupleGrips, contact_points_are_those_of_the_frame) {
+    ClosedFrame frame;
+    frame.laid = {};
+    frame.laid[0][static_cast<std::size_t>(Side::right)] = LaidHand{HoldPlace::waist, Side::left};
+    frame.laid[1][static_cast<std::size_t>(Side::left)] =
+        LaidHand{HoldPlace::shoulder, Side::right};
+    const Two two = held(couple(-0.05F, 0.34F), all_of_frame(), &frame);
+    const WorldPose lead = world_pose(mannequin_skeleton(), two.lead);
+    const WorldPose follow = world_pose(mannequin_skeleton(), two.follow);
+    const glm::vec3 hand = glm::conjugate(follow.rotation(Bone::hips)) *
+                           (palm_of(lead, Side::right) - follow.position(Bone::hips));
+    EXPECT_GT(hand.x, 0.12F);
+    EXPECT_LT(std::abs(hand.y), 0.2F);
+    EXPECT_LT(glm::distance(palm_of(follow, Side::left), lead.position(Bone::right_upper_arm)),
+              0.09F);
+    frame.laid = {};
+    const Two free = held(couple(-0.05F, 0.34F), only(laid(0, Side::right), 1.0F), &frame);
+    EXPECT_EQ(free.lead.rotation(Bone::right_lower_arm),
+              couple(-0.05F, 0.34F).lead.rotation(Bone::right_lower_arm))
+        << "no contact is no grip";
 }
 
 TEST(CoupleGrips, are_comfortable_before_one_another_and_not_behind_or_far_apart) {
     const CoupleGrips grips(mannequin_skeleton(), mannequin_skeleton());
     const auto comfort = [&](const Two& two) {
         return grips.comfort(
+            nullptr,
             world_pose(mannequin_skeleton(), two.lead),
             world_pose(mannequin_skeleton(), two.follow))[index_of(Grip::left_right)];
     };
@@ -187,7 +213,7 @@ TEST(CoupleGrips, heads_turn_to_the_partner_who_is_seen_and_not_to_one_behind) {
         return world_pose(mannequin_skeleton(), pose).rotation(Bone::head) * glm::vec3(0, 0, 1);
     };
     const auto looked = [](Two two) {
-        look_at_one_another(1.0F,
+        look_at_one_another({1.0F, nullptr},
                             world_pose(mannequin_skeleton(), two.lead),
                             world_pose(mannequin_skeleton(), two.follow),
                             two.lead,

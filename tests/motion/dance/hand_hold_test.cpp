@@ -55,7 +55,7 @@ Shown danced(HopIndex hops, HopIndex torn) {
             follow->set_predicted(ahead, partner_at(hop + ahead));
         }
         const double beat = std::fmod(0.03 * static_cast<double>(hop), 8.0);
-        hold.advance({CoupleHold::hands, holds, beat, 8.0, 3.0}, *lead, *follow);
+        hold.advance({CoupleHold::hands, {}, holds, beat, 8.0, 3.0}, *lead, *follow);
         shown.held.push_back(hold.held()[index_of(Grip::left_right)]);
         const WorldPose one = world_pose(mannequin_skeleton(), lead->at_hop(hop));
         const WorldPose two = world_pose(mannequin_skeleton(), follow->at_hop(hop));
@@ -100,7 +100,7 @@ TEST(HandHold, lets_go_where_they_stand) {
         moment.hold = hop < 150 ? CoupleHold::closed : CoupleHold::none;
         hold.advance(moment, *lead, *follow);
         if (hop == 149) {
-            EXPECT_GT(hold.held()[index_of(Grip::back)], 0.97F);
+            EXPECT_GT(hold.held()[index_of(laid(0, Side::right))], 0.97F);
         }
     }
     for (const float weight : hold.held()) {
