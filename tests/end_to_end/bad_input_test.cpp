@@ -71,7 +71,6 @@ TEST_F(BadInput, wrong_usage_is_exit_code_2) {
         {"render", music, "-o", path("x.mov"), "--alpha", "--backdrop", "stage"}, 2, "--alpha");
     expect_one_line({"play", music, "--seed", "-1"}, 2, "seed");
     expect_one_line({"dance", music, "-o", path("x.bvh"), "--fps", "1e9"}, 2, "fps");
-    expect_one_line({"render", music, "-o", path("x.mp4"), "--theme", "stgae"}, 2, "stage");
     expect_one_line({"bench", "hearing"}, 2, "hearing");
     expect_one_line({"train", "report", music, "--labels", music, "--role", "boss"}, 2, "boss");
     expect_one_line({"train", "report", music, "--most-states", "1"}, 2, "most-states");
