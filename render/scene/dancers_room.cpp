@@ -34,6 +34,8 @@ constexpr float kOverHead = 0.25F;
 constexpr float kLeastReach = 0.45F;
 // Seconds in which an edge that nobody reaches any more does two thirds of its way back.
 constexpr float kShrinkSeconds = 3.0F;
+// A picture of a face is no larger than it must be: it goes along with the head.
+constexpr float kFaceShrinkSeconds = 0.8F;
 // And its way out to who leaves the room.
 constexpr float kGrowSeconds = 0.08F;
 // Time constant of the springs.
@@ -186,8 +188,8 @@ void DancersRoomKeeper::Edge::begin(float at) noexcept {
 }
 
 // `outward`: 1 where the edge's coordinate grows outward, else -1.
-void DancersRoomKeeper::Edge::grow(float to, float outward) noexcept {
-    const float shrink = 1.0F - std::exp(-kRoomHop / kShrinkSeconds);
+void DancersRoomKeeper::Edge::grow(float to, float outward, float shrink_seconds) noexcept {
+    const float shrink = 1.0F - std::exp(-kRoomHop / shrink_seconds);
     const float grow = 1.0F - std::exp(-kRoomHop / kGrowSeconds);
     const bool is_outside = (to - held) * outward > 0.0F;
     held += (is_outside ? grow : shrink) * (to - held);
@@ -208,8 +210,8 @@ const DancersRoom& DancersRoomKeeper::advance(std::span<const WorldPose> dancers
     const glm::vec3 ahead = kLeadSeconds * glm::vec3(speed_.x, 0.0F, speed_.z);
     lead(taken.body, ahead);
     lead(taken.feet, ahead);
-    const auto follow = [this](Edge& edge, float to, float outward) {
-        has_begun_ ? edge.grow(to, outward) : edge.begin(to);
+    const auto follow = [this](Edge& edge, float to, float outward, float shrink = kShrinkSeconds) {
+        has_begun_ ? edge.grow(to, outward, shrink) : edge.begin(to);
         return edge.spring.place;
     };
     for (int axis = 0; axis < 3; ++axis) {
@@ -233,9 +235,10 @@ const DancersRoom& DancersRoomKeeper::advance(std::span<const WorldPose> dancers
     for (std::size_t i = 0; i < taken.faces.size(); ++i) {
         lead(taken.faces[i], ahead);
         for (int axis = 0; axis < 3; ++axis) {
-            room_.faces[i].low[axis] = follow(face_low_[i][axis], taken.faces[i].low[axis], -1.0F);
+            room_.faces[i].low[axis] =
+                follow(face_low_[i][axis], taken.faces[i].low[axis], -1.0F, kFaceShrinkSeconds);
             room_.faces[i].high[axis] =
-                follow(face_high_[i][axis], taken.faces[i].high[axis], 1.0F);
+                follow(face_high_[i][axis], taken.faces[i].high[axis], 1.0F, kFaceShrinkSeconds);
         }
     }
     has_begun_ = true;

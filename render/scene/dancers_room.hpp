@@ -56,7 +56,7 @@ class DancersRoomKeeper {
         float held = 0.0F;
         FollowSpring spring;
         void begin(float at) noexcept;
-        void grow(float to, float outward) noexcept;
+        void grow(float to, float outward, float shrink_seconds) noexcept;
     };
 
     DancersRoom room_;
