@@ -10,10 +10,9 @@ vec3 diffuse_light(vec3 n, float open, float lit) {
     return key_light.rgb * (key * lit) + (fill_light.rgb * fill + around) * open;
 }
 
-// Light from behind that outlines the body. None on what faces away, as the inner side of a skirt
-// does: there the edge would be everywhere.
+// Light from behind that outlines the body.
 vec3 rim_of(vec3 n, vec3 v, float open) {
-    float edge = 1.0 - abs(dot(n, v));
+    float edge = 1.0 - max(dot(n, v), 0.0);
     float facing = max((dot(n, rim_direction.xyz) + 0.25) / 1.25, 0.0);
     return rim_light.rgb * (edge * edge * edge * sqrt(edge) * facing * open);
 }
