@@ -2,6 +2,7 @@
 
 #include "render/avatar/avatar.hpp"
 #include "render/scene/stage_light.hpp"
+#include "render/scene/stage_show.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,12 +47,14 @@ void set_toon_lights(FrameUniforms& u, const Theme& theme, float level) noexcept
 void set_lights(FrameUniforms& u, const Scene& scene, const LightDirections& lights) noexcept {
     const Theme& theme = *scene.theme;
     const float key = scene.light.key;
+    // The stage's colour shows on the dancers where it comes from behind and from the sides.
+    const glm::vec3 tint = stage_tint(scene);
     u.key_direction = direction(lights.key);
     u.fill_direction = direction(lights.fill);
     u.rim_direction = direction(lights.rim);
     u.key_light = colour(key * theme.key_light);
-    u.fill_light = colour(key * theme.fill_light);
-    u.rim_light = colour(scene.light.rim * theme.rim_light);
+    u.fill_light = colour(key * tint * theme.fill_light);
+    u.rim_light = colour(scene.light.rim * tint * theme.rim_light);
     u.sky_light = colour(key * theme.sky_light);
     u.ground_light = colour(key * theme.ground_light);
     set_toon_lights(u, theme, key);
@@ -71,8 +74,9 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
     const float floor = stage_level(theme, scene.light.floor);
     u.floor_centre = colour(theme.floor_centre);
     u.floor_edge = colour(theme.floor_edge);
-    u.floor_key_tint = colour(floor * (1.0F - theme.floor_ambient) * hue(theme.key_light));
-    u.floor_sky_tint = colour(floor * theme.floor_ambient * hue(theme.sky_light));
+    const glm::vec3 lit = floor * stage_tint(scene);
+    u.floor_key_tint = colour((1.0F - theme.floor_ambient) * lit * hue(theme.key_light));
+    u.floor_sky_tint = colour(theme.floor_ambient * lit * hue(theme.sky_light));
     u.display_ring = {display_colour(theme.ring), theme.ring_cover};
     // The still ring takes the first of four places, the running ones the rest.
     const float shown = scene.has_rings ? 1.0F : 0.0F;
@@ -82,6 +86,31 @@ void set_stage(FrameUniforms& u, const Scene& scene) noexcept {
         const BeatRing& ring = scene.rings[i];
         u.rings[i + 1] = {
             ring.radius, shown * scene.light.rings * ring.brightness, kLineHalfWidth, kRingGlow};
+    }
+}
+
+/// What a theme may have besides.
+void set_show(FrameUniforms& u, const Scene& scene) noexcept {
+    const Theme& theme = *scene.theme;
+    const float width = stage_level(theme, scene.light.width);
+    u.show = {1.0F / (width * width),
+              theme.tiles.size,
+              static_cast<float>(std::fmod(scene.seconds, 1e4)),
+              scene.light.backdrop * theme.beams.haze};
+    const auto levels = tile_levels(scene);
+    // They dim and brighten with the floor.
+    const float floor = std::min(stage_level(theme, scene.light.floor), 1.15F);
+    for (std::size_t kind = 0; kind < levels.size(); ++kind) {
+        u.tiles[kind] = colour(floor * levels[kind] * display_colour(theme.tiles.colours[kind]));
+    }
+    for (int i = 0; i < theme.beams.count; ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        const Beam beam = beam_at(scene, i);
+        u.lamps[place] = {beam.lamp, theme.beams.strength * beam.brightness};
+        u.beam_ends[place] = {beam.end, static_cast<float>(place % theme.beams.colours.size())};
+    }
+    for (std::size_t i = 0; i < theme.beams.colours.size(); ++i) {
+        u.beam_colours[i] = colour(display_colour(stage_tint(scene) * theme.beams.colours[i]));
     }
 }
 
@@ -99,7 +128,8 @@ float mask_pixels(const glm::mat4& clip_from_view, float height) noexcept {
 }  // namespace
 
 glm::vec3 lit_backdrop(const Scene& scene, glm::vec3 linear) noexcept {
-    return glm::min(stage_level(*scene.theme, scene.light.backdrop) * linear, glm::vec3(1.0F));
+    return glm::min(stage_level(*scene.theme, scene.light.backdrop) * stage_tint(scene) * linear,
+                    glm::vec3(1.0F));
 }
 
 glm::vec3 display_colour(glm::vec3 linear) noexcept {
@@ -165,6 +195,7 @@ FrameView frame_view(const Scene& scene,
     u.eye = {eye.position, 1.0F};
     set_lights(u, scene, lights);
     set_stage(u, scene);
+    set_show(u, scene);
     set_blobs(view, dancers, scales, lights.key);
     set_shadow_map(view, dancers, scales, lights.key);
     u.picture = {static_cast<float>(target.x), static_cast<float>(target.y), width, height};

@@ -69,8 +69,20 @@ struct FrameUniforms {
     /// x: number of blobs; y: 1 shows light as it is, without the tone curve; z: size of the floor;
     /// w: 1 with shadows on it, else 0.
     glm::vec4 counts{};
+    /// x: 1 / width^2 of the pool of light and the backdrop's glow; y: edge of a tile, metres; z:
+    /// seconds; w: light of the haze.
+    glm::vec4 show{};
+    /// Light that tiles of each kind add, with gamma applied.
+    std::array<glm::vec4, 4> tiles{};
+    /// Of each beam the place of its lamp, world space, and its brightness.
+    std::array<glm::vec4, kMostBeams> lamps{};
+    /// Where it ends on the floor, and the number of its colour.
+    std::array<glm::vec4, kMostBeams> beam_ends{};
+    /// With gamma applied.
+    std::array<glm::vec4, 3> beam_colours{};
 };
-static_assert(sizeof(FrameUniforms) == (8 + 12 + 8 + 4 + 3) * sizeof(glm::vec4));
+static_assert(sizeof(FrameUniforms) ==
+              (8 + 12 + 8 + 4 + 3 + 1 + 4 + 2 * kMostBeams + 3) * sizeof(glm::vec4));
 
 /// Shadow blobs of all dancers, x, z, 1 / radius^2, strength each: the block "Blobs".
 struct BlobUniforms {

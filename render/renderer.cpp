@@ -185,6 +185,7 @@ struct Renderer::Parts {
                          const glm::mat4& clip_from_light);
     void draw_body(const Scene& scene, const Painted& dancer) const;
     void draw_stage(const Scene& scene) const noexcept;
+    void draw_beams(const Scene& scene) const noexcept;
 };
 
 /// The driver gets new buffer stores each time, so that it need not wait for the last picture.
@@ -307,7 +308,7 @@ void Renderer::Parts::draw_stage(const Scene& scene) const noexcept {
     if (!is_opaque) {
         glEnable(GL_BLEND);
     }
-    stage.draw_floor();
+    stage.draw_floor(scene.theme->tiles);
     glEnable(GL_BLEND);
     // Rings lie 2 mm over the floor and blend with it; they hide nothing.
     glDepthMask(GL_FALSE);
@@ -316,7 +317,19 @@ void Renderer::Parts::draw_stage(const Scene& scene) const noexcept {
     // Last, where nothing is yet: first it would cost a tenth more on llvmpipe.
     if (scene.backdrop == Backdrop::stage) {
         stage.draw_backdrop();
+        draw_beams(scene);
     }
+}
+
+/// Dancers hide what is behind them, beams hide nothing.
+void Renderer::Parts::draw_beams(const Scene& scene) const noexcept {
+    const LightBeams& beams = scene.theme->beams;
+    if (beams.count == 0 && beams.haze <= 0.0F) {
+        return;
+    }
+    glEnable(GL_BLEND);
+    stage.draw_beams(beams);
+    glDisable(GL_BLEND);
 }
 
 Expected<Renderer> Renderer::create(const RendererConfig& config) {

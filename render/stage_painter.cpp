@@ -20,14 +20,20 @@ gl::Mesh float_mesh(const Shape<Vertex>& shape) {
 }
 
 /// The program of one part of the stage. Vertex and fragment shader have the same stem.
-Expected<gl::Program> build(Quality quality, std::string_view name, std::string_view vertex) {
+enum class Floor { plain, tiled };
+
+Expected<gl::Program> build(Quality quality,
+                            std::string_view name,
+                            std::string_view vertex,
+                            Floor floor = Floor::plain) {
     const std::string_view stem = vertex.substr(0, vertex.find('.'));
     const std::string fragment_file = std::string(stem) + ".frag";
     const std::array<std::string_view, 2> vertex_files = {"frame.glsl", vertex};
-    const std::array<std::string_view, 3> fragment_files = {
-        "frame.glsl", "shadow.glsl", fragment_file};
-    const std::array<std::string_view, 1> defines = {
-        quality == Quality::fast ? std::string_view("FAST") : std::string_view("HIGH")};
+    const std::array<std::string_view, 4> fragment_files = {
+        "frame.glsl", "shadow.glsl", "tiles.glsl", fragment_file};
+    const std::array<std::string_view, 2> defines = {
+        quality == Quality::fast ? std::string_view("FAST") : std::string_view("HIGH"),
+        floor == Floor::tiled ? std::string_view("TILES") : std::string_view("PLAIN")};
     return gl::Program::build({name, vertex_files, fragment_files, defines});
 }
 
@@ -38,6 +44,10 @@ Expected<StagePainter> StagePainter::create(Quality quality) {
     if (!floor) {
         return fail(std::move(floor.error()));
     }
+    Expected<gl::Program> tiled = build(quality, "tiled floor", "floor.vert", Floor::tiled);
+    if (!tiled) {
+        return fail(std::move(tiled.error()));
+    }
     Expected<gl::Program> rings = build(quality, "beat rings", "ring.vert");
     if (!rings) {
         return fail(std::move(rings.error()));
@@ -46,8 +56,16 @@ Expected<StagePainter> StagePainter::create(Quality quality) {
     if (!backdrop) {
         return fail(std::move(backdrop.error()));
     }
+    Expected<gl::Program> beams = build(quality, "beams", "beam.vert");
+    if (!beams) {
+        return fail(std::move(beams.error()));
+    }
     return StagePainter(quality,
-                        Programs{std::move(*floor), std::move(*rings), std::move(*backdrop)});
+                        Programs{std::move(*floor),
+                                 std::move(*tiled),
+                                 std::move(*rings),
+                                 std::move(*backdrop),
+                                 std::move(*beams)});
 }
 
 StagePainter::StagePainter(Quality quality, Programs programs)
@@ -55,10 +73,11 @@ StagePainter::StagePainter(Quality quality, Programs programs)
       floor_(float_mesh(floor_disc())),
       ring_(float_mesh(ring_strip())),
       backdrop_(float_mesh(backdrop_grid())),
+      beam_(float_mesh(beam_strip())),
       programs_(std::move(programs)) {}
 
-void StagePainter::draw_floor() const noexcept {
-    programs_.floor.use();
+void StagePainter::draw_floor(const TileFloor& tiles) const noexcept {
+    (tiles.size > 0.0F ? programs_.tiled_floor : programs_.floor).use();
     floor_.draw();
 }
 
@@ -68,6 +87,12 @@ void StagePainter::draw_rings(int count) const noexcept {
         programs_.rings.use();
         ring_.draw_instances(count);
     }
+}
+
+void StagePainter::draw_beams(const LightBeams& beams) const noexcept {
+    programs_.beams.use();
+    glUniform1i(programs_.beams.uniform("beams"), beams.count);
+    beam_.draw_instances(beams.count + 1);
 }
 
 void StagePainter::draw_backdrop() const noexcept {

@@ -15,17 +15,21 @@ class StagePainter {
     [[nodiscard]] static Expected<StagePainter> create(Quality quality);
 
     /// The floor disc with its shadows; with Quality::high with rings and reflection.
-    void draw_floor() const noexcept;
+    void draw_floor(const TileFloor& tiles) const noexcept;
     /// The rings as geometry; with Quality::high they are part of the floor and this does nothing.
     void draw_rings(int count) const noexcept;
     /// Fills what is still empty, at the far end of the depth range.
     void draw_backdrop() const noexcept;
+    /// Beams and haze, added to what is there. Last: they hide nothing.
+    void draw_beams(const LightBeams& beams) const noexcept;
 
  private:
     struct Programs {
         gl::Program floor;
+        gl::Program tiled_floor;
         gl::Program rings;
         gl::Program backdrop;
+        gl::Program beams;
     };
     StagePainter(Quality quality, Programs programs);
 
@@ -33,6 +37,7 @@ class StagePainter {
     gl::Mesh floor_;
     gl::Mesh ring_;
     gl::Mesh backdrop_;
+    gl::Mesh beam_;
     Programs programs_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/show/picture.hpp"
+#include "engine/show/themes.hpp"
 #include "render/gl/offscreen.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/model/model_survey.hpp"
@@ -129,7 +130,7 @@ Expected<void> write_avatar_picture(const std::filesystem::path& output,
         return fail(target.error());
     }
     render::Scene scene;
-    scene.theme = render::find_theme("studio_light").value_or(scene.theme);
+    scene.theme = engine::find_theme("studio_light").value_or(scene.theme);
     scene.camera = picture.camera;
     const render::Dancer dancer{.avatar = {}, .pose = pose, .state = &state};
     renderer->draw(scene, std::span(&dancer, 1), target->frame());

@@ -22,6 +22,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/show/framing.hpp"
 #include "engine/show/show.hpp"
+#include "engine/show/themes.hpp"
 #include "motion/dancer.hpp"
 #include "motion/formation.hpp"
 #include "render/gl/offscreen.hpp"
@@ -314,6 +315,19 @@ Expected<BenchReport> bench_render() {
         report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
         report.spreads.emplace_back(fmt::format("read_back_cpu_ms_{}x{}", width, height),
                                     spread_of(*reading));
+    }
+    for (const std::string& name : engine::theme_names()) {
+        const auto theme = engine::find_theme(name);
+        if (!theme) {
+            return fail(theme.error());
+        }
+        render::Scene themed = scene;
+        themed.theme = *theme;
+        const auto costs = picture_costs(*renderer, themed, standing_poses(1), 1280, 720);
+        if (!costs) {
+            return fail(costs.error());
+        }
+        report.spreads.emplace_back("cpu_ms_of_" + name, spread_of(*costs));
     }
     report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
     const auto each = cost_of_each_more(*renderer, scene);

@@ -16,6 +16,7 @@
 #include "engine/setup/play_list.hpp"
 #include "engine/setup/settings_table.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/themes.hpp"
 #include "motion/skeleton/formats/motion_format.hpp"
 #include "render/import/model_reader.hpp"
 
@@ -46,6 +47,14 @@ void add_avatars(Candidates& candidates) {
     }
     candidates.endings.clear();
     add_endings(render::model_endings(), candidates);
+}
+
+void add_themes(Candidates& candidates) {
+    for (std::string& name : engine::theme_names()) {
+        candidates.words.push_back({std::move(name), ""});
+    }
+    candidates.endings = {".toml"};
+    candidates.has_files = true;
 }
 
 void add_devices(bool are_inputs, Candidates& candidates) {
@@ -83,6 +92,8 @@ void add_known(const CLI::Option& option, Candidates& candidates) {
         add_dances(candidates);
     } else if (name == "--avatar" || name == "--from" || name == "model") {
         add_avatars(candidates);
+    } else if (name == "--theme") {
+        add_themes(candidates);
     } else if (name == "--device" || name == "--output") {
         add_devices(name == "--device", candidates);
         return;

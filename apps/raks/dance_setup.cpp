@@ -111,6 +111,9 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
     if (!look) {
         return look;
     }
+    for (const std::string& note : look->notes) {
+        say(note);
+    }
     const engine::AvatarOptions options = avatar_options(settings);
     if (settings.avatars.size() > 1 && !options.labels.empty()) {
         return fail(

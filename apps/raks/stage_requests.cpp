@@ -6,6 +6,7 @@
 #include "apps/raks/stage_loop.hpp"
 #include "base/printable.hpp"
 #include "engine/show/stage_drop.hpp"
+#include "engine/show/themes.hpp"
 
 #include <fmt/format.h>
 
@@ -121,7 +122,7 @@ engine::Preset StageLoop::preset_now() {
 void StageLoop::take_preset(const engine::Preset& preset) {
     render::Scene& scene = window_->scene();
     if (preset.theme) {
-        const auto theme = render::find_theme(*preset.theme);
+        const auto theme = engine::find_theme(*preset.theme);
         theme ? void(scene.theme = *theme) : say(theme.error().message);
     }
     if (preset.backdrop) {

@@ -39,12 +39,29 @@ constexpr auto kPaintNames = [] {
     return names;
 }();
 
+/// A bright hall: its look must not change with the themes of shows.
+constexpr std::string_view kBrightHall = R"(
+format = "raks-theme"
+version = 1
+exposure = 0.66
+backdrop = { top = "#d9d4cb", glow = "#f3efe8", horizon = "#e6e1d9" }
+floor = { centre = "#eae4dc", edge = "#e7dfd5", ambient = 0.72 }
+rings = { colour = "#b05a3c", cover = 1.0 }
+
+[lights]
+key = [2.1, 1.98, 1.82]
+fill = [0.3, 0.34, 0.42]
+rim = [0.7, 0.7, 0.72]
+sky = [0.52, 0.55, 0.6]
+ground = [0.34, 0.3, 0.26]
+)";
+
 /// A grey hall, darker than the theme it is made of so that cameras with twice the gain do not burn
 /// it out, and a mannequin of one plain colour.
 render::Theme studio_theme() {
     constexpr float kDarker = 0.35F;
-    const auto known = render::find_theme("studio_light");
-    render::Theme theme = known ? **known : render::default_theme();
+    render::Theme theme =
+        render::parse_theme(kBrightHall, "hall", "hall").value_or(render::default_theme());
     theme.body = theme.joint_bands = theme.band_edge = {0.24F, 0.21F, 0.19F};
     for (glm::vec3* const colour : {&theme.background_top,
                                     &theme.background_glow,

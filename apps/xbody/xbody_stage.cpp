@@ -3,6 +3,8 @@
 #include <span>
 #include <utility>
 
+#include "engine/show/themes.hpp"
+
 namespace raks::apps {
 
 Expected<XbodyStage> XbodyStage::create(ShownModel model) {
@@ -15,7 +17,7 @@ Expected<XbodyStage> XbodyStage::create(ShownModel model) {
 
 XbodyStage::XbodyStage(ShownModel model, render::Renderer renderer)
     : model_(std::move(model)), renderer_(std::move(renderer)), shown_(model_) {
-    scene_.theme = render::find_theme("studio_light").value_or(scene_.theme);
+    scene_.theme = engine::find_theme("studio_light").value_or(scene_.theme);
 }
 
 Expected<void> XbodyStage::upload() {

@@ -47,7 +47,7 @@ struct Settings {
     std::vector<std::string> avatars = {"mannequin"};
     double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
     std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
-    std::string theme = "stage";       ///< stage, workshop_dark, studio_light or plain
+    std::string theme = "stage";       ///< a name, or a file X.toml
     std::string backdrop = "stage";    ///< stage, transparent, or a key colour: #RRGGBB
     bool shadow = true;                ///< dancers throw one on the floor
     bool rings = true;                 ///< rings of light on the floor show the beat

@@ -173,9 +173,13 @@ const std::array kRows = std::to_array<SettingRow>({
     {.section = "picture",
      .name = "theme",
      .field = &Settings::theme,
-     .words = Words("stage", "workshop_dark", "studio_light", "plain"),
+     .help =
+         "stage, club, dance_floor, workshop_dark, studio_light, plain, or a theme's file X.toml",
      .option = {"--theme", kShows | kSheet},
-     .manual = "`stage`, `workshop_dark`, `studio_light`, `plain` (one white light)"},
+     .manual =
+         "`stage`, `club`, `dance_floor`, `workshop_dark`, `studio_light`, `plain` (one white "
+         "light), one of your own, or a [file](files.md#raks-theme-version-1-toml) `X.toml`; "
+         "where it is unknown or cannot be read, `stage`"},
     {.section = "picture",
      .name = "backdrop",
      .field = &Settings::backdrop,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/setup/asked_formation.hpp"
+#include "engine/show/themes.hpp"
 #include "render/avatar/avatar.hpp"
 
 #include <fmt/format.h>
@@ -26,11 +27,13 @@ FaceHabits face_habits(const Settings& settings) noexcept {
 
 Expected<Look> read_look(const Settings& settings) {
     Look look;
-    const auto theme = render::find_theme(settings.theme);
-    if (!theme) {
-        return fail(theme.error());
+    if (const auto theme = find_theme(settings.theme)) {
+        look.scene.theme = *theme;
+    } else {
+        look.notes.push_back(fmt::format("{}; the theme \"{}\" is shown instead",
+                                         theme.error().message,
+                                         look.scene.theme->name));
     }
-    look.scene.theme = *theme;
     look.scene.camera = preset_of(settings.camera);
     // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(name_of(asked_formation(settings))));

@@ -25,13 +25,14 @@ struct Look {
     PictureSize size;                   ///< of the window or film, in pixels
     FaceHabits face;                    ///< what faces do by themselves
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
+    std::vector<std::string> notes;     ///< a line for each setting that could not be had
 };
 
 /// What the settings say of faces. Pure.
 [[nodiscard]] FaceHabits face_habits(const Settings& settings) noexcept;
 
-/// Resolves the settings, but for the avatar. `settings`: valid. Errors: an unknown theme or
-/// backdrop, a bad size.
+/// Resolves the settings, but for the avatar. A theme that is unknown or cannot be read is noted,
+/// and the default stands in for it. `settings`: valid. Errors: an unknown backdrop, a bad size.
 [[nodiscard]] Expected<Look> read_look(const Settings& settings);
 
 /// Lays a backdrop behind the dancers. The key colour of a scene stays where none is asked for.

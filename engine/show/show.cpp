@@ -97,6 +97,7 @@ void draw_moment(const ShownMoment& shown,
                  const render::FrameTarget& target) {
     // The rings follow the beat grid at the moment that is shown, which lies between two states.
     scene.rings = render::beat_rings(shown.music.grid, shown.danced.moment);
+    scene.beat = render::stage_beat(shown.music.grid, shown.danced.moment);
     scene.floor_size = render::floor_size_for(bodies.reach_of(shown.danced.places));
     scene.seconds = to_seconds(shown.danced.moment);
     renderer.draw(scene, bodies.at(shown.danced, shown.music, audience(scene.camera)), target);

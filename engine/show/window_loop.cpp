@@ -18,6 +18,7 @@
 #include "engine/control/action_table.hpp"
 #include "engine/setup/user_folders.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/themes.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/gl/frame_target.hpp"
 #include "render/gl/window.hpp"
@@ -466,11 +467,12 @@ void WindowLoop::let_go_of_camera(const WindowContent& content) {
 }
 
 void WindowLoop::go_to_next_theme() {
-    const std::string_view name = name_after(scene_.theme->name, render::theme_names());
-    if (const auto theme = render::find_theme(name)) {
-        scene_.theme = *theme;
-        say("theme " + std::string(name));
+    std::vector<std::string> lines;
+    scene_.theme = &theme_after(scene_.theme->name, lines);
+    for (const std::string& line : lines) {
+        say(line);
     }
+    say("theme " + scene_.theme->name);
 }
 
 void WindowLoop::go_to_next_backdrop() {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <tuple>
 
 #include "motion/skeleton/skeleton.hpp"
 #include "render/scene/follow_spring.hpp"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace raks::render {
@@ -15,12 +18,22 @@ struct StageBox {
     glm::vec3 high{};  ///< and of the largest
 };
 
+/// Corners of what surrounds the dancers closer than a box does, seen from above: (x, z), metres.
+using StageOutline = std::array<glm::vec2, 16>;
+
+/// The corners of a box's floor, so that those of two outlines at the same place belong together.
+[[nodiscard]] StageOutline outline_of(const StageBox& box) noexcept;
+
 /// The room that the dancers take, all together; a camera that shows it shows them.
 struct DancersRoom {
-    StageBox body;      ///< from the floor to the heads and raised hands, with the arms spread
-    StageBox feet;      ///< on the floor, where they step; its height means nothing
-    float hips = 0.0F;  ///< height of the lowest hips, metres
-    float head = 0.0F;  ///< height of the top of the highest head, metres
+    StageOutline outline{};  ///< of the bodies, with the arms
+    StageBox body;           ///< from the floor to the heads and raised hands, with the arms spread
+    StageBox feet;           ///< on the floor, where they step; its height means nothing
+    float hips = 0.0F;       ///< height of the lowest hips, metres
+    float head = 0.0F;       ///< height of the top of the highest head, metres
+    float hand = 0.0F;       ///< height of the lowest fingertips, metres
+    /// Head and neck of the first dancer, of the second (with one: the first), and of both.
+    std::array<StageBox, 3> faces{};
 };
 
 /// Finds that room from the poses of each hop. It grows as soon as a dancer leaves it, a little
@@ -43,7 +56,7 @@ class DancersRoomKeeper {
         float held = 0.0F;
         FollowSpring spring;
         void begin(float at) noexcept;
-        void grow(float to, float outward) noexcept;
+        void grow(float to, float outward, float shrink_seconds) noexcept;
     };
 
     DancersRoom room_;
@@ -55,6 +68,10 @@ class DancersRoomKeeper {
     Edge feet_high_[2];
     Edge hips_;
     Edge head_;
+    Edge hand_;
+    std::array<Edge, std::tuple_size_v<StageOutline>> girth_;
+    Edge face_low_[3][3];  // by face and axis
+    Edge face_high_[3][3];
     bool has_begun_ = false;
 };
 

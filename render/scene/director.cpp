@@ -54,6 +54,8 @@ constexpr std::array<ShotRule, kShots> kRules = {{
     {"side", ShotSize::full, ShotSize::full, 58, 76, {0.08F, 0.08F, 0.07F}, 10.0F, true},
     {"push", ShotSize::full, ShotSize::upper_body, 4, 20, {0.15F, 0.08F, 0.0F}, kAnyLength, true},
     {"orbit", ShotSize::full, ShotSize::full, 6, 52, {0.15F, 0.15F, 0.16F}, kAnyLength, false},
+    {"low", ShotSize::low, ShotSize::low, 6, 34, {0.03F, 0.08F, 0.14F}, 12.0F, false},
+    {"face", ShotSize::face, ShotSize::face, 6, 34, {0.10F, 0.07F, 0.06F}, 5.0F, false},
 }};
 
 const ShotRule& rule_of(Shot shot) noexcept { return kRules[static_cast<std::size_t>(shot)]; }
@@ -68,6 +70,19 @@ constexpr double kGlideSeconds = 2.2;  // at least
 // A shot that was on so lately is not chosen again.
 constexpr double kShotRest = 12.0;
 constexpr double kRestOfFeet = 40.0;
+constexpr double kRestOfFace = 20.0;
+// After so long without a face the next shot is one, and shots before it are cut short.
+constexpr double kFaceWanted = 34.0;
+constexpr double kFaceNeeded = 50.0;
+// A drop cuts to what shows less than this share of the height that was seen.
+constexpr float kNearer = 0.8F;
+// From this share of their ways on that lead to or from the audience, dancers are seen from three
+// quarters: from this many degrees on.
+constexpr float kForeAndAft = 0.5F;
+constexpr float kThreeQuartersLow = 30.0F;
+constexpr float kThreeQuartersHigh = 48.0F;
+constexpr double kLeastBeforeDrop = 3.0;  // seconds
+constexpr float kWaysSeconds = 8.0F;      // over which ways are watched
 // A picture that is so much too narrow for a shot does not get it.
 constexpr float kMostDemand = 1.2F;
 // Energy below which music is calm, and above which it is full.
@@ -81,7 +96,12 @@ constexpr float kLeastTurn = glm::radians(22.0F);
 constexpr float kLeastChange = 1.3F;
 // Two dancers seen along their line hide each other.
 constexpr float kNearLine = 0.26F;  // sine of 15 degrees
-constexpr float kNoLine = 0.15F;    // metres between two who have none
+// In pictures narrower than this, turned by so much further, the two are seen at this sine.
+constexpr float kTallBelow = 0.8F;
+constexpr float kTallTurn = glm::radians(34.0F);
+constexpr float kFurthestTurn = glm::radians(76.0F);
+constexpr float kTallAcross = 0.45F;
+constexpr float kNoLine = 0.15F;  // metres between two who have none
 
 constexpr std::uint64_t kShotStream = 0x5107;
 constexpr double kLongAgo = -1e9;
@@ -150,11 +170,15 @@ const DirectedView& Director::advance(const MusicState& music,
     }
     last_hop_ = music.hop;
     room_.advance(dancers);
+    watch_ways(dancers);
     notice(music);
     if (wants_change(music, is_on_bar_line(music))) {
         change(music, dancers);
     }
     seen_[static_cast<std::size_t>(shown_.shot)] = now_;
+    if (shown_.shot == Shot::face || !is_sounding(music)) {
+        face_seen_ = now_;
+    }
     shown_.is_gliding = now_ < last_change_ + glide_seconds_;
     shown_.camera = smoothed(camera_of(view(), aspect_), is_first || shown_.cuts != cuts);
     shown_.camera.target *= size_;
@@ -174,10 +198,36 @@ void Director::begin() noexcept {
     bar_position_.reset();
     drop_at_.reset();
     next_.reset();
+    face_seen_ = now_;
+    has_places_ = false;
+    sideways_ = fore_and_aft_ = 0.0F;
+}
+
+void Director::watch_ways(std::span<const WorldPose> dancers) noexcept {
+    constexpr std::array<Bone, 5> kWatched = {
+        Bone::hips, Bone::left_hand, Bone::right_hand, Bone::left_foot, Bone::right_foot};
+    constexpr auto kSeconds = static_cast<float>(to_seconds(kHop));
+    const float share = 1.0F - std::exp(-kSeconds / kWaysSeconds);
+    float aside = 0.0F;
+    float along = 0.0F;
+    for (std::size_t i = 0; i < kWatched.size(); ++i) {
+        const glm::vec3 place = dancers.front().position(kWatched[i]);
+        const glm::vec3 speed = has_places_ ? (place - places_[i]) / kSeconds : glm::vec3(0.0F);
+        places_[i] = place;
+        aside += speed.x * speed.x;
+        along += speed.z * speed.z;
+    }
+    has_places_ = true;
+    sideways_ += share * (aside - sideways_);
+    fore_and_aft_ += share * (along - fore_and_aft_);
 }
 
 // What an event asks for.
 void Director::notice(const MusicState& music) noexcept {
+    const MusicEvent& coming = music.ahead.events.front();
+    until_drop_ = music.ahead.is_known && coming.kind == EventKind::drop
+                      ? to_seconds(coming.time - music.time)
+                      : -kLongAgo;
     switch (music.event.kind) {
         case EventKind::drop: {
             const double at = to_seconds(music.event.time);
@@ -225,19 +275,23 @@ bool Director::wants_change(const MusicState& music, bool is_bar_line) const noe
     const double bar = bar_seconds(music);
     // The grid may have moved a little since: nearly a bar is one.
     const bool is_a_bar_past = elapsed >= 0.98 * bar;
+    const auto longest = static_cast<double>(rule_of(shown_.shot).longest);
     if (!is_a_bar_past) {
-        return false;
+        return elapsed >= longest;
     }
     if (drop_at_ && now_ >= *drop_at_) {
         return true;
     }
     if (!is_bar_line || !is_sounding(music) || drop_at_) {
-        return false;
+        return elapsed >= longest;
+    }
+    // It would be on for longer than it may if it stayed to the next bar line.
+    constexpr double kTolerance = 0.05;
+    if (elapsed + bar > longest + kTolerance) {
+        return true;
     }
     // Before a drop that is known there is no cut, so that the drop can have one.
-    const MusicEvent& coming = music.ahead.events.front();
-    const bool is_drop_near = music.ahead.is_known && coming.kind == EventKind::drop &&
-                              to_seconds(coming.time - music.time) < 1.2 * bar;
+    const bool is_drop_near = until_drop_ < 1.2 * bar;
     // A camera that still moves would stop short.
     const bool is_moving = now_ < begins_ + move_seconds_ || now_ < last_change_ + glide_seconds_;
     return !is_drop_near && !is_moving && elapsed >= length_;
@@ -249,24 +303,42 @@ void Director::change(const MusicState& music, std::span<const WorldPose> dancer
                           ? Pace::calm
                       : is_drop || music.energy.lately > kFullAbove ? Pace::full
                                                                     : Pace::usual;
-    Shot shot = choose(pace, dancers.size());
-    if (next_ && suits(*next_, dancers.size())) {
-        shot = *next_;
-    }
-    if (is_drop) {
-        shot = shown_.shot == Shot::wide ? Shot::full : Shot::wide;
-    }
+    const Shot drawn = next_shot(pace, dancers.size());
+    const Shot shot = is_drop ? shot_of_drop(dancers.size()) : drawn;
     next_.reset();
     drop_at_.reset();
 
     glide_from_ = view();
     set_up(shot, bar_seconds(music), dancers);
-    const bool glides = !is_drop && glides_to(view_of(from_.size, room_.room(), from_.yaw));
+    const bool is_part = shot == Shot::feet || shot == Shot::face || shown_.shot == Shot::feet ||
+                         shown_.shot == Shot::face;
+    // Two who turn fill a tall picture: a camera that turns, too, would lose one.
+    const bool is_full = dancers.size() > 1 && aspect_ < kTallBelow;
+    const bool glides = glides_to(view_of_stand(from_)) && !is_drop && !is_part && !is_full;
     glide_seconds_ = glides ? std::max(bar_seconds(music), kGlideSeconds) : 0.0;
     shown_.cuts += glides ? 0 : 1;
     shown_.shot = shot;
     last_change_ = now_;
     draw_length(pace);
+}
+
+// A face that has not been seen for long, what an event asks for, or one that is drawn.
+Shot Director::next_shot(Pace pace, std::size_t dancers) noexcept {
+    const Shot drawn = choose(pace, dancers);
+    if (now_ - face_seen_ > kFaceWanted && shown_.shot != Shot::face) {
+        return Shot::face;
+    }
+    return next_ && *next_ != shown_.shot && suits(*next_, dancers) ? *next_ : drawn;
+}
+
+// Nearer than what is on, or else lower.
+Shot Director::shot_of_drop(std::size_t dancers) const noexcept {
+    const auto height_of = [this](const ShotView& of) {
+        return seen_height(camera_of(of, aspect_));
+    };
+    const float nearer = height_of(view_of(ShotSize::knees_up, room_.room(), to_.yaw));
+    return suits(Shot::knees_up, dancers) && nearer < kNearer * height_of(view()) ? Shot::knees_up
+                                                                                  : Shot::low;
 }
 
 // One of those that suit, by their weights; the one that is on does not follow itself.
@@ -275,11 +347,14 @@ Shot Director::choose(Pace pace, std::size_t dancers) noexcept {
     float sum = 0.0F;
     for (std::size_t i = 0; i < kShots; ++i) {
         const auto shot = static_cast<Shot>(i);
-        const double rest = shot == Shot::feet ? kRestOfFeet : kShotRest;
+        const bool is_part = shot == Shot::feet || shot == Shot::face;
+        const double rest = shot == Shot::feet   ? kRestOfFeet
+                            : shot == Shot::face ? kRestOfFace
+                                                 : kShotRest;
         if (shot != shown_.shot && suits(shot, dancers)) {
             const bool is_rested = now_ - seen_[i] >= rest;
             const float weight = kRules[i].weights[static_cast<std::size_t>(pace)];
-            weights[i] = is_rested ? weight : shot == Shot::feet ? 0.0F : 0.15F * weight;
+            weights[i] = is_rested ? weight : is_part ? 0.0F : 0.15F * weight;
         }
         sum += weights[i];
     }
@@ -298,6 +373,14 @@ bool Director::suits(Shot shot, std::size_t dancers) const noexcept {
     if (rule.is_of_one && dancers > 2) {
         return false;
     }
+    // One that must end just before a drop would take the drop's cut away.
+    const auto longest = static_cast<double>(rule.longest);
+    if (until_drop_ > longest && until_drop_ < longest + kLeastBeforeDrop) {
+        return false;
+    }
+    if (shot == Shot::face) {
+        return true;  // of one face, if no more
+    }
     // Shots of the whole body are good at any distance; another one must not become such a shot.
     const float yaw = side_ * glm::radians(0.5F * (rule.yaw_low + rule.yaw_high));
     return rule.to <= ShotSize::full ||
@@ -310,6 +393,9 @@ void Director::set_up(Shot shot, double bar, std::span<const WorldPose> dancers)
     begins_ = now_;
     move_seconds_ = 0.0;
     from_ = to_ = {rule.from, yaw_for(rule.yaw_low, rule.yaw_high, dancers)};
+    if (shot == Shot::face) {
+        from_.whose = to_.whose = choose_face(dancers.size(), from_.yaw);
+    }
     if (shot == Shot::push) {
         to_.size = rule.to;
         move_seconds_ = std::max(kPushSeconds, 4.0 * bar);
@@ -328,23 +414,56 @@ void Director::set_up(Shot shot, double bar, std::span<const WorldPose> dancers)
     }
 }
 
+// Both where they are so close that the picture holds them; else one and the other in turn.
+FaceOf Director::choose_face(std::size_t dancers, float yaw) noexcept {
+    if (dancers != 2) {
+        return FaceOf::first;
+    }
+    const ShotView both = view_of(ShotSize::face, room_.room(), yaw, FaceOf::both);
+    const ShotView one = view_of(ShotSize::face, room_.room(), yaw, FaceOf::first);
+    constexpr float kMostForTwo = 2.0F;  // times as much as is seen of one
+    if (seen_height(camera_of(both, aspect_)) <
+        kMostForTwo * seen_height(camera_of(one, aspect_))) {
+        return FaceOf::both;
+    }
+    shows_second_face_ = !shows_second_face_;
+    return shows_second_face_ ? FaceOf::second : FaceOf::first;
+}
+
+ShotView Director::view_of_stand(const Stand& stand) const noexcept {
+    return view_of(stand.size, room_.room(), stand.yaw, stand.whose);
+}
+
 // A direction in this range of degrees, on the side of the line of action where the camera is.
 float Director::yaw_for(float low, float high, std::span<const WorldPose> dancers) noexcept {
+    const bool is_fore_and_aft =
+        dancers.size() != 2 && fore_and_aft_ > kForeAndAft * (fore_and_aft_ + sideways_);
+    if (is_fore_and_aft) {
+        low = std::max(low, kThreeQuartersLow);
+        high = std::max(high, kThreeQuartersHigh);
+    }
     const auto degrees = static_cast<float>(dice_.uniform(low, high));
     const float drawn = glm::radians(degrees);
     if (dancers.size() != 2) {
         return side_ * drawn;
     }
-    // Of both directions that which shows the two beside each other rather than in a row.
-    const float current = view().yaw;
+    // Of these directions that which shows the two beside each other rather than in a row; in a
+    // tall picture, where they would be small then, half before each other.
+    const float current = glide_from_.yaw;
     const float here = across_line(current, dancers);
+    const bool is_tall = aspect_ < kTallBelow;
+    const float further = is_tall ? kTallTurn : 0.0F;
     float best = current;
-    float widest = kNearLine;
-    for (const float yaw : {side_ * drawn, -side_ * drawn}) {
+    float least = is_tall ? 1.0F : 1.0F - kNearLine;
+    for (const float yaw : {side_ * drawn,
+                            -side_ * drawn,
+                            side_ * std::min(drawn + further, kFurthestTurn),
+                            -side_ * std::min(drawn + further, kFurthestTurn)}) {
         const float across = across_line(yaw, dancers);
-        if (across * here >= 0.0F && std::abs(across) > widest) {
+        const float from_best = std::abs(std::abs(across) - (is_tall ? kTallAcross : 1.0F));
+        if (across * here >= 0.0F && std::abs(across) > kNearLine && from_best < least) {
             best = yaw;
-            widest = std::abs(across);
+            least = from_best;
         }
     }
     return best;
@@ -364,10 +483,8 @@ bool Director::glides_to(const ShotView& to) noexcept {
 }
 
 ShotView Director::view() const noexcept {
-    const DancersRoom& room = room_.room();
-    const ShotView shot = between(view_of(from_.size, room, from_.yaw),
-                                  view_of(to_.size, room, to_.yaw),
-                                  progress(begins_, move_seconds_));
+    const ShotView shot =
+        between(view_of_stand(from_), view_of_stand(to_), progress(begins_, move_seconds_));
     return glide_seconds_ > 0.0 ? between(glide_from_, shot, progress(last_change_, glide_seconds_))
                                 : shot;
 }
@@ -398,8 +515,10 @@ void Director::draw_length(Pace pace) noexcept {
     const double longest = static_cast<double>(rule_of(shown_.shot).longest);
     length_ = std::min(dice_.uniform(range.x, range.y), longest);
     if (liveliness_ == Liveliness::calm) {
-        length_ *= kLongerWhenCalm;
+        length_ = std::min(kLongerWhenCalm * length_, longest);
     }
+    // A face is needed by then; in two bars or so it may follow.
+    length_ = std::min(length_, std::max(face_seen_ + kFaceNeeded - now_, 0.0));
 }
 
 }  // namespace raks::render

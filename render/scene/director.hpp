@@ -28,9 +28,11 @@ enum class Shot : std::uint8_t {
     side,        ///< from head to foot, from the side
     push,        ///< slowly nearer, from head to foot to the upper body
     orbit,       ///< slowly round, from head to foot
+    low,         ///< from head to foot, near and from below
+    face,        ///< head and neck of one, or of two who are close
 };
 /// How many there are.
-inline constexpr std::size_t kShots = 8;
+inline constexpr std::size_t kShots = 10;
 
 /// What the director shows at a hop.
 struct DirectedView {
@@ -47,8 +49,11 @@ struct DirectedView {
 /// - The camera stays before the stage's front and on one side of the line of action. With two
 ///   dancers the line is the one through both: no cut crosses it where it lies at the cut. Else it
 ///   is the one from the stage's middle to the audience: no shot crosses it.
-/// - Every shot frames all dancers; one that the picture's format would push far away is not
-/// chosen.
+/// - Every shot frames all dancers, with their hands, but for those of feet and faces; one that the
+///   picture's format would push far away is not chosen.
+/// - Feet and faces are on for some seconds at most; a face is seen in every minute while music
+///   plays. A drop cuts nearer, or lower.
+/// - Dancers who move to and from the audience more than sideways are seen from three quarters.
 ///
 /// The same seed, states, poses and picture format give the same views, whoever asks.
 ///
@@ -80,6 +85,7 @@ class Director {
     struct Stand {
         ShotSize size = ShotSize::wide;
         float yaw = 0.0F;
+        FaceOf whose = FaceOf::first;  // of ShotSize::face
     };
     // How full the music is, for the pace of shots.
     enum class Pace : std::uint8_t { calm, usual, full };
@@ -87,10 +93,15 @@ class Director {
     void begin() noexcept;
     void notice(const MusicState& music) noexcept;
     [[nodiscard]] bool is_on_bar_line(const MusicState& music) noexcept;
+    void watch_ways(std::span<const motion::WorldPose> dancers) noexcept;
     [[nodiscard]] bool wants_change(const MusicState& music, bool is_bar_line) const noexcept;
     void change(const MusicState& music, std::span<const motion::WorldPose> dancers) noexcept;
+    [[nodiscard]] Shot next_shot(Pace pace, std::size_t dancers) noexcept;
+    [[nodiscard]] Shot shot_of_drop(std::size_t dancers) const noexcept;
+    [[nodiscard]] FaceOf choose_face(std::size_t dancers, float yaw) noexcept;
     [[nodiscard]] Shot choose(Pace pace, std::size_t dancers) noexcept;
     [[nodiscard]] bool suits(Shot shot, std::size_t dancers) const noexcept;
+    [[nodiscard]] ShotView view_of_stand(const Stand& stand) const noexcept;
     void set_up(Shot shot, double bar, std::span<const motion::WorldPose> dancers) noexcept;
     [[nodiscard]] float yaw_for(float low,
                                 float high,
@@ -130,9 +141,19 @@ class Director {
     std::optional<double> drop_at_;    // a drop that has not been answered yet
     std::optional<Shot> next_;         // asked for by an event
     std::array<double, kShots> seen_;  // when each shot was on last
+    double face_seen_ = 0.0;           // when a face was, or the music began
+    double until_drop_ = 0.0;          // seconds to a drop that is known; many: there is none
+    bool shows_second_face_ = false;   // in the next shot of one face of two
+    // How the dancers move: mean squares of the speeds of hips, hands and feet, sideways and to
+    // and from the audience.
+    std::array<glm::vec3, 5> places_{};
+    bool has_places_ = false;
+    float sideways_ = 0.0F;
+    float fore_and_aft_ = 0.0F;
 };
 
-/// "wide", "full", "knees up", "upper body", "feet", "side", "push", "orbit".
+/// "wide", "full", "knees up", "upper body", "feet", "side", "push", "orbit",
+/// "low", "face".
 [[nodiscard]] std::string_view name_of(Shot shot) noexcept;
 
 }  // namespace raks::render

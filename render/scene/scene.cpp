@@ -48,6 +48,13 @@ BeatRings beat_rings(const BeatGrid& grid, StreamTime time) noexcept {
     return rings;
 }
 
+StageBeat stage_beat(const BeatGrid& grid, StreamTime time) noexcept {
+    constexpr double kRound = 16.0;
+    const double beats = grid.beats_at(time).count();
+    const double position = beats - kRound * std::floor(beats / kRound);
+    return {static_cast<float>(position), std::clamp(grid.confidence, 0.0F, 1.0F)};
+}
+
 float floor_size_for(float reach) noexcept {
     constexpr float kUsualReach = 1.4F;  // metres: of three side by side
     constexpr float kByMetre = 0.3F;

@@ -32,6 +32,15 @@ enum class BeatAccent { beat, downbeat };
 /// The ring of one beat, `age` >= 0 seconds after it; brightness 0 once it has faded.
 [[nodiscard]] BeatRing beat_ring(float age, BeatAccent accent) noexcept;
 
+/// Where the music is, for what follows its beat.
+struct StageBeat {
+    float position = 0.0F;    ///< in beats, of a round of 16 of them; [0, 16)
+    float confidence = 0.0F;  ///< that there is a beat, [0, 1]
+};
+
+/// At that time. Pure.
+[[nodiscard]] StageBeat stage_beat(const BeatGrid& grid, StreamTime time) noexcept;
+
 /// Size of a floor on which the farthest place of a dancer is `reach` metres from its middle. Pure.
 [[nodiscard]] float floor_size_for(float reach) noexcept;
 
@@ -78,6 +87,8 @@ struct Scene {
     LightLevels light;
     /// Rings of light at this moment.
     BeatRings rings{};
+    /// The beat at this moment: tiles and beams follow it.
+    StageBeat beat{};
     /// What is behind the dancers.
     Backdrop backdrop = Backdrop::stage;
     /// Of Backdrop::key.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -21,11 +22,13 @@ struct SizeRule {
 
 // By ShotSize. Long lenses for parts of the body, which they flatten kindly; the floor shows where
 // feet do.
-constexpr std::array<SizeRule, 5> kSizes = {{
+constexpr std::array<SizeRule, 7> kSizes = {{
     {"wide", 8.0F, 30.0F, 0.17F},
+    {"low", 3.0F, 36.0F, 0.04F},
     {"full", 6.0F, 26.0F, 0.05F},
     {"knees up", 4.5F, 24.0F, 0.04F},
     {"upper body", 3.5F, 22.0F, 0.05F},
+    {"face", 3.2F, 18.0F, 0.06F},
     {"feet", 10.0F, 22.0F, 0.05F},
 }};
 
@@ -80,15 +83,15 @@ Fit fit_of(const ShotView& view, const Directions& to, Lens free) noexcept {
     float left = kEndless;
     float over = -kEndless;
     float under = kEndless;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 at((corner & 1) != 0 ? view.box.high.x : view.box.low.x,
-                           (corner & 2) != 0 ? view.box.high.y : view.box.low.y,
-                           (corner & 4) != 0 ? view.box.high.z : view.box.low.z);
-        const float depth = glm::dot(at, to.toward);
-        right = std::max(right, glm::dot(at, to.right) + depth * free.x);
-        left = std::min(left, glm::dot(at, to.right) - depth * free.x);
-        over = std::max(over, glm::dot(at, to.up) + depth * free.y);
-        under = std::min(under, glm::dot(at, to.up) - depth * free.y);
+    for (const glm::vec2 corner : view.outline) {
+        for (const float y : {view.box.low.y, view.box.high.y}) {
+            const glm::vec3 at(corner.x, y, corner.y);
+            const float depth = glm::dot(at, to.toward);
+            right = std::max(right, glm::dot(at, to.right) + depth * free.x);
+            left = std::min(left, glm::dot(at, to.right) - depth * free.x);
+            over = std::max(over, glm::dot(at, to.up) + depth * free.y);
+            under = std::min(under, glm::dot(at, to.up) - depth * free.y);
+        }
     }
     return {0.5F * (right - left) / free.x,
             0.5F * (over - under) / free.y,
@@ -109,28 +112,33 @@ Lens free_part(const ShotView& view, Lens lens) noexcept {
 
 std::string_view name_of(ShotSize size) noexcept { return rule_of(size).name; }
 
-ShotView view_of(ShotSize size, const DancersRoom& room, float yaw) noexcept {
+ShotView view_of(ShotSize size, const DancersRoom& room, float yaw, FaceOf whose) noexcept {
     const SizeRule& rule = rule_of(size);
     ShotView view;
     view.box = room.body;
+    view.outline = room.outline;
     view.yaw = yaw;
     view.pitch = glm::radians(rule.pitch_degrees);
     view.fov = glm::radians(rule.fov_degrees);
     view.margin = rule.margin;
     switch (size) {
         case ShotSize::wide:
+        case ShotSize::low:
         case ShotSize::full:
             break;
         case ShotSize::knees_up:
             view.box.low.y = kBelowKnees * room.hips;
             break;
         case ShotSize::upper_body:
-            view.box.low.y = kBelowWaist * room.hips;
-            // Hands over the head may leave the picture, the head may not.
-            view.box.high.y = room.head;
+            view.box.low.y = std::min(kBelowWaist * room.hips, room.hand);
+            break;
+        case ShotSize::face:
+            view.box = room.faces[static_cast<std::size_t>(whose)];
+            view.outline = outline_of(view.box);
             break;
         case ShotSize::feet:
             view.box = room.feet;
+            view.outline = outline_of(view.box);
             view.box.low.y = 0.0F;
             view.box.high.y = kOverThighs * room.hips;
             break;
@@ -142,12 +150,17 @@ ShotView between(const ShotView& from, const ShotView& to, float share) noexcept
     const float turn = 2.0F * glm::pi<float>();
     const float yaw_by = to.yaw - from.yaw;
     const float shorter = yaw_by - turn * std::round(yaw_by / turn);
-    return {
-        {glm::mix(from.box.low, to.box.low, share), glm::mix(from.box.high, to.box.high, share)},
-        from.yaw + share * shorter,
-        glm::mix(from.pitch, to.pitch, share),
-        glm::mix(from.fov, to.fov, share),
-        glm::mix(from.margin, to.margin, share)};
+    ShotView view = from;
+    view.box = {glm::mix(from.box.low, to.box.low, share),
+                glm::mix(from.box.high, to.box.high, share)};
+    for (std::size_t i = 0; i < view.outline.size(); ++i) {
+        view.outline[i] = glm::mix(from.outline[i], to.outline[i], share);
+    }
+    view.yaw = from.yaw + share * shorter;
+    view.pitch = glm::mix(from.pitch, to.pitch, share);
+    view.fov = glm::mix(from.fov, to.fov, share);
+    view.margin = glm::mix(from.margin, to.margin, share);
+    return view;
 }
 
 Camera camera_of(const ShotView& view, float aspect) noexcept {

@@ -81,6 +81,19 @@ Shape<glm::vec4> ring_strip() {
     return shape;
 }
 
+Shape<glm::vec2> beam_strip() {
+    constexpr std::size_t kAcross = 12;
+    constexpr std::size_t kAlong = 8;
+    Shape<glm::vec2> shape;
+    for (std::size_t row = 0; row <= kAlong; ++row) {
+        for (std::size_t column = 0; column <= kAcross; ++column) {
+            shape.vertices.emplace_back(2.0F * share(column, kAcross) - 1.0F, share(row, kAlong));
+        }
+    }
+    connect_grid(shape.indices, kAlong + 1, kAcross + 1);
+    return shape;
+}
+
 Shape<glm::vec2> backdrop_grid() {
     constexpr std::size_t kColumns = 32;
     constexpr std::size_t kRows = 24;

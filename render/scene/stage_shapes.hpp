@@ -28,6 +28,9 @@ inline constexpr float kFloorRadius = 4.6F;
 /// One beat ring for ring.vert: (cos, sin, offset from the line in half widths, brightness).
 [[nodiscard]] Shape<glm::vec4> ring_strip();
 
+/// One beam for beam.vert: across in [-1, 1], along in [0, 1].
+[[nodiscard]] Shape<glm::vec2> beam_strip();
+
 /// A grid over the picture in [-1, 1]^2, fine enough to carry the backdrop's colours per vertex.
 [[nodiscard]] Shape<glm::vec2> backdrop_grid();
 

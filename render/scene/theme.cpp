@@ -1,14 +1,26 @@
 #include "render/scene/theme.hpp"
 
-#include "base/suggest.hpp"
-
-#include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "base/toml_reader.hpp"
+#include "render/scene/theme_text.hpp"
 
 namespace raks::render {
 namespace {
+
+constexpr std::string_view kThemeFormat = "raks-theme";
+constexpr std::int64_t kThemeVersion = 1;
+constexpr NumberRange kLightRange{0.0, 10.0};
+constexpr NumberRange kShareRange{0.0, 1.0};
+
+using Keys = std::span<const std::string_view>;
 
 /// Linear colour of an sRGB hexadecimal one. The exponent 2.2 is the inverse of the shaders' gamma,
 /// so that a colour that is not lit comes out as written.
@@ -20,174 +32,275 @@ glm::vec3 srgb(std::uint32_t hex) noexcept {
     return {channel(16), channel(8), channel(0)};
 }
 
-/// Six dancers that differ in skin, hair and eyes; every second one wears what goes with the one
-/// before.
-std::array<Outfit, 6> stage_outfits() noexcept {
-    return {{
-        {.skin = srgb(0xd9a07c),
-         .suit = srgb(0xa61b33),
-         .stripe = srgb(0xf2a93b),
-         .hair = srgb(0x4a2a1c),
-         .shoes = srgb(0x7a1424),
-         .trim = srgb(0xf2a541),
-         .iris = srgb(0x8a5a2b)},
-        {.skin = srgb(0xc98d66),
-         .suit = srgb(0x23242e),
-         .stripe = srgb(0xa61b33),
-         .hair = srgb(0x211815),
-         .shoes = srgb(0x191a20),
-         .trim = srgb(0xc23a48),
-         .iris = srgb(0x5a3a22)},
-        {.skin = srgb(0x8a5a3c),
-         .suit = srgb(0x12707a),
-         .stripe = srgb(0xe9c46a),
-         .hair = srgb(0x1d1512),
-         .shoes = srgb(0x0e4d55),
-         .trim = srgb(0xe9c46a),
-         .iris = srgb(0x4a2c18)},
-        {.skin = srgb(0xe3b394),
-         .suit = srgb(0x2f3b66),
-         .stripe = srgb(0xd8dbe6),
-         .hair = srgb(0x9a6a35),
-         .shoes = srgb(0x20294a),
-         .trim = srgb(0xd8dbe6),
-         .iris = srgb(0x4f7fa8)},
-        {.skin = srgb(0xdcab86),
-         .suit = srgb(0x6a3a86),
-         .stripe = srgb(0xf0b7c8),
-         .hair = srgb(0x7d2f1d),
-         .shoes = srgb(0x4a2760),
-         .trim = srgb(0xf0b7c8),
-         .iris = srgb(0x4f7f4a)},
-        {.skin = srgb(0x6e4630),
-         .suit = srgb(0xd8d2c4),
-         .stripe = srgb(0xb5562f),
-         .hair = srgb(0x15100f),
-         .shoes = srgb(0x8a4a2c),
-         .trim = srgb(0xb5562f),
-         .iris = srgb(0x3a2415)},
-    }};
+/// The number that "#a61b33" stands for.
+std::optional<std::uint32_t> hex_of(std::string_view text) noexcept {
+    if (text.size() != 7 || text.front() != '#') {
+        return std::nullopt;
+    }
+    std::uint32_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + 1, end, number, 16);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
-/// Night-blue stage with warm key light and a cold rim; the default.
-Theme stage() noexcept {
-    Theme theme;
-    theme.name = "stage";
-    theme.outfits = stage_outfits();
-    theme.body = srgb(0xdcd8d0);
-    theme.joint_bands = srgb(0xa61b33);
-    theme.band_edge = srgb(0x2a2a30);
-    theme.stick_middle = srgb(0xdcd8d0);
-    theme.stick_left = srgb(0x3fb5ad);
-    theme.stick_right = srgb(0xd9622f);
-    theme.background_top = srgb(0x171a2a);
-    theme.background_glow = srgb(0x4f5687);
-    theme.background_horizon = srgb(0x252941);
-    theme.floor_centre = srgb(0x6a72b8);
-    theme.floor_edge = srgb(0x2c3167);
-    theme.ring = srgb(0xffb454);
-    theme.key_light = {2.05F, 1.86F, 1.66F};
-    theme.fill_light = {0.16F, 0.24F, 0.46F};
-    theme.rim_light = {1.2F, 1.5F, 2.4F};
-    theme.sky_light = {0.22F, 0.26F, 0.38F};
-    theme.ground_light = {0.15F, 0.11F, 0.13F};
-    theme.exposure = 1.02F;
-    return theme;
-}
+/// Reads the tables of one theme over another theme's values.
+class ThemeReader {
+ public:
+    ThemeReader(const toml::table& root, std::string file) : root_(root), complaints_(file) {}
 
-/// Dark blue and even light.
-Theme workshop_dark() noexcept {
-    Theme theme;
-    theme.name = "workshop_dark";
-    theme.outfits = stage_outfits();
-    theme.body = srgb(0xdcd8d0);
-    theme.joint_bands = srgb(0xd9622f);
-    theme.band_edge = srgb(0x2a2a30);
-    theme.stick_middle = srgb(0xdcd8d0);
-    theme.stick_left = srgb(0x3fb5ad);
-    theme.stick_right = srgb(0xd9622f);
-    theme.background_top = srgb(0x10141d);
-    theme.background_glow = srgb(0x2b3d52);
-    theme.background_horizon = srgb(0x18202d);
-    theme.floor_centre = srgb(0x4a6888);
-    theme.floor_edge = srgb(0x1b2943);
-    theme.ring = srgb(0x62d0c8);
-    theme.key_light = {2.0F, 1.9F, 1.78F};
-    theme.fill_light = {0.2F, 0.3F, 0.48F};
-    theme.rim_light = {1.2F, 1.5F, 1.9F};
-    theme.sky_light = {0.26F, 0.31F, 0.4F};
-    theme.ground_light = {0.15F, 0.14F, 0.15F};
-    theme.exposure = 0.7F;
-    return theme;
-}
+    Expected<Theme> read(Theme theme) {
+        constexpr std::array<std::string_view, 15> kKeys = {"format",
+                                                            "version",
+                                                            "listed",
+                                                            "mannequin",
+                                                            "sticks",
+                                                            "backdrop",
+                                                            "floor",
+                                                            "rings",
+                                                            "lights",
+                                                            "exposure",
+                                                            "tone_curve",
+                                                            "show",
+                                                            "tiles",
+                                                            "beams",
+                                                            "outfits"};
+        complaints_.check_head(root_, kThemeFormat, kThemeVersion);
+        complaints_.check_keys(root_, kKeys);
+        truth(root_, "listed", theme.is_listed);
+        truth(root_, "tone_curve", theme.has_tone_curve);
+        number(root_, "exposure", {0.05, 10.0}, theme.exposure);
+        read_bodies(theme);
+        read_stage(theme);
+        read_lights(theme);
+        read_tiles(theme.tiles);
+        read_beams(theme.beams);
+        read_outfits(theme);
+        if (!complaints_.is_sound()) {
+            return fail(complaints_.fault());
+        }
+        return theme;
+    }
 
-/// A bright wall; the mannequin is of wood.
-Theme studio_light() noexcept {
-    Theme theme;
-    theme.name = "studio_light";
-    theme.outfits = stage_outfits();
-    theme.body = srgb(0xd9bd97);
-    theme.joint_bands = srgb(0xa8794e);
-    theme.band_edge = srgb(0x5a3b26);
-    theme.stick_middle = srgb(0xd9bd97);
-    theme.stick_left = srgb(0x3f8f89);
-    theme.stick_right = srgb(0xa8794e);
-    theme.background_top = srgb(0xd9d4cb);
-    theme.background_glow = srgb(0xf3efe8);
-    theme.background_horizon = srgb(0xe6e1d9);
-    theme.floor_centre = srgb(0xeae4dc);
-    theme.floor_edge = srgb(0xe7dfd5);
-    theme.ring = srgb(0xb05a3c);
-    // A bright floor is lit mostly from all around: its shadows are pale.
-    theme.floor_ambient = 0.72F;
-    // Light added to a nearly white floor would not show, so here the rings cover it.
-    theme.ring_cover = 1.0F;
-    theme.stage_range = 0.3F;
-    theme.key_light = {2.1F, 1.98F, 1.82F};
-    theme.fill_light = {0.3F, 0.34F, 0.42F};
-    theme.rim_light = {0.7F, 0.7F, 0.72F};
-    theme.sky_light = {0.52F, 0.55F, 0.6F};
-    theme.ground_light = {0.34F, 0.3F, 0.26F};
-    theme.exposure = 0.66F;
-    return theme;
-}
+ private:
+    void read_bodies(Theme& theme) {
+        constexpr std::array<std::string_view, 3> kMannequin = {"body", "bands", "edge"};
+        constexpr std::array<std::string_view, 3> kSticks = {"middle", "left", "right"};
+        if (const toml::table* const table = section(root_, "mannequin", kMannequin)) {
+            colour(*table, "body", theme.body);
+            colour(*table, "bands", theme.joint_bands);
+            colour(*table, "edge", theme.band_edge);
+        }
+        if (const toml::table* const table = section(root_, "sticks", kSticks)) {
+            colour(*table, "middle", theme.stick_middle);
+            colour(*table, "left", theme.stick_left);
+            colour(*table, "right", theme.stick_right);
+        }
+    }
 
-/// One white light and nothing that changes colours: surfaces are shown by their own formulas.
-Theme plain() noexcept {
-    Theme theme = studio_light();
-    theme.name = "plain";
-    theme.background_top = theme.background_glow = theme.background_horizon = srgb(0x808080);
-    theme.floor_centre = theme.floor_edge = srgb(0x808080);
-    theme.key_light = glm::vec3(1.0F);
-    theme.fill_light = theme.rim_light = theme.sky_light = theme.ground_light = glm::vec3(0.0F);
-    theme.floor_ambient = 0.5F;
-    theme.exposure = 1.0F;
-    theme.has_tone_curve = false;
-    return theme;
-}
+    void read_stage(Theme& theme) {
+        constexpr std::array<std::string_view, 3> kBackdrop = {"top", "glow", "horizon"};
+        constexpr std::array<std::string_view, 3> kFloor = {"centre", "edge", "ambient"};
+        constexpr std::array<std::string_view, 2> kRings = {"colour", "cover"};
+        if (const toml::table* const table = section(root_, "backdrop", kBackdrop)) {
+            colour(*table, "top", theme.background_top);
+            colour(*table, "glow", theme.background_glow);
+            colour(*table, "horizon", theme.background_horizon);
+        }
+        if (const toml::table* const table = section(root_, "floor", kFloor)) {
+            colour(*table, "centre", theme.floor_centre);
+            colour(*table, "edge", theme.floor_edge);
+            number(*table, "ambient", kShareRange, theme.floor_ambient);
+        }
+        if (const toml::table* const table = section(root_, "rings", kRings)) {
+            colour(*table, "colour", theme.ring);
+            number(*table, "cover", kShareRange, theme.ring_cover);
+        }
+    }
 
-constexpr std::array<std::string_view, 3> kThemeNames = {"stage", "workshop_dark", "studio_light"};
+    void read_lights(Theme& theme) {
+        constexpr std::array<std::string_view, 5> kLights = {"key", "fill", "rim", "sky", "ground"};
+        constexpr std::array<std::string_view, 3> kShow = {"range", "breakdown", "drop"};
+        if (const toml::table* const table = section(root_, "lights", kLights)) {
+            light(*table, "key", theme.key_light);
+            light(*table, "fill", theme.fill_light);
+            light(*table, "rim", theme.rim_light);
+            light(*table, "sky", theme.sky_light);
+            light(*table, "ground", theme.ground_light);
+        }
+        if (const toml::table* const table = section(root_, "show", kShow)) {
+            number(*table, "range", kShareRange, theme.stage_range);
+            tint(*table, "breakdown", theme.breakdown_tint);
+            tint(*table, "drop", theme.drop_tint);
+        }
+    }
 
-const std::array<Theme, 4>& themes() noexcept {
-    // Those of kThemeNames in their order, then the one without a stage's looks; made on first use,
-    // since std::pow is not constexpr.
-    static const std::array<Theme, 4> all = {stage(), workshop_dark(), studio_light(), plain()};
-    return all;
+    void read_tiles(TileFloor& tiles) {
+        constexpr std::array<std::string_view, 3> kTiles = {"size", "glow", "colours"};
+        if (const toml::table* const table = section(root_, "tiles", kTiles)) {
+            number(*table, "size", {0.2, 4.0}, tiles.size);
+            number(*table, "glow", kShareRange, tiles.glow);
+            colours(*table, tiles.colours);
+        }
+    }
+
+    void read_beams(LightBeams& beams) {
+        constexpr std::array<std::string_view, 4> kBeams = {"count", "strength", "haze", "colours"};
+        if (const toml::table* const table = section(root_, "beams", kBeams)) {
+            if (const toml::node* const node = table->get("count")) {
+                beams.count = complaints_.whole(*node, "count", {0.0, kMostBeams});
+            }
+            number(*table, "strength", kShareRange, beams.strength);
+            number(*table, "haze", kShareRange, beams.haze);
+            colours(*table, beams.colours);
+        }
+    }
+
+    void read_outfits(Theme& theme) {
+        const toml::node* const node = root_.get("outfits");
+        if (node == nullptr) {
+            return;
+        }
+        const toml::array* const array = node->as_array();
+        if (array == nullptr || array->size() != theme.outfits.size()) {
+            complaints_.complain(*node, "outfits must be 6 tables [[outfits]]");
+            return;
+        }
+        for (std::size_t i = 0; i < theme.outfits.size(); ++i) {
+            if (const toml::table* const table = (*array)[i].as_table()) {
+                read_outfit(*table, theme.outfits[i]);
+            } else {
+                complaints_.complain((*array)[i], "outfits must be 6 tables [[outfits]]");
+            }
+        }
+    }
+
+    void read_outfit(const toml::table& table, Outfit& outfit) {
+        constexpr std::array<std::pair<std::string_view, glm::vec3 Outfit::*>, 7> kColours = {
+            {{"skin", &Outfit::skin},
+             {"suit", &Outfit::suit},
+             {"stripe", &Outfit::stripe},
+             {"hair", &Outfit::hair},
+             {"shoes", &Outfit::shoes},
+             {"trim", &Outfit::trim},
+             {"iris", &Outfit::iris}}};
+        std::array<std::string_view, kColours.size()> keys{};
+        for (std::size_t i = 0; i < kColours.size(); ++i) {
+            keys[i] = kColours[i].first;
+            colour(table, keys[i], outfit.*kColours[i].second);
+        }
+        complaints_.check_keys(table, keys);
+    }
+
+    /// A table; null where there is none, and after a complaint.
+    const toml::table* section(const toml::table& parent, std::string_view key, Keys known) {
+        const toml::node* const node = parent.get(key);
+        if (node == nullptr) {
+            return nullptr;
+        }
+        const toml::table* const table = node->as_table();
+        if (table == nullptr) {
+            complaints_.complain(*node, fmt::format("{0} must be a table [{0}]", key));
+        } else {
+            complaints_.check_keys(*table, known);
+        }
+        return table;
+    }
+
+    void truth(const toml::table& table, std::string_view key, bool& value) {
+        if (const toml::node* const node = table.get(key)) {
+            if (!node->is_boolean()) {
+                complaints_.complain(*node, fmt::format("{} must be true or false", key));
+            }
+            value = node->value_or(value);
+        }
+    }
+
+    void number(const toml::table& table, std::string_view key, NumberRange range, float& value) {
+        if (const toml::node* const node = table.get(key)) {
+            value = static_cast<float>(complaints_.number(*node, key, range));
+        }
+    }
+
+    void light(const toml::table& table, std::string_view key, glm::vec3& value) {
+        triple(table, key, kLightRange, value);
+    }
+
+    /// A factor by colour. It keeps the limits of LightShow's levels.
+    void tint(const toml::table& table, std::string_view key, glm::vec3& value) {
+        triple(table, key, {0.25, 2.0}, value);
+    }
+
+    void triple(const toml::table& table,
+                std::string_view key,
+                NumberRange range,
+                glm::vec3& value) {
+        if (const toml::node* const node = table.get(key)) {
+            const auto of = complaints_.numbers<3>(*node, key, range, "[red, green, blue]");
+            value = {
+                static_cast<float>(of[0]), static_cast<float>(of[1]), static_cast<float>(of[2])};
+        }
+    }
+
+    void colour(const toml::table& table, std::string_view key, glm::vec3& value) {
+        if (const toml::node* const node = table.get(key)) {
+            colour(*node, key, value);
+        }
+    }
+
+    void colour(const toml::node& node, std::string_view key, glm::vec3& value) {
+        const auto text = node.value_exact<std::string>();
+        const auto hex = text ? hex_of(*text) : std::nullopt;
+        if (hex) {
+            value = srgb(*hex);
+        } else {
+            complaints_.complain(node, fmt::format("{} must be a colour such as \"#a61b33\"", key));
+        }
+    }
+
+    template <std::size_t Count>
+    void colours(const toml::table& table, std::array<glm::vec3, Count>& values) {
+        const toml::node* const node = table.get("colours");
+        if (node == nullptr) {
+            return;
+        }
+        const toml::array* const array = node->as_array();
+        if (array == nullptr || array->size() != Count) {
+            complaints_.complain(*node, fmt::format("colours must be a list of {} colours", Count));
+            return;
+        }
+        for (std::size_t i = 0; i < Count; ++i) {
+            colour((*array)[i], "colours", values[i]);
+        }
+    }
+
+    const toml::table& root_;
+    TomlComplaints complaints_;
+};
+
+Theme shipped_stage() {
+    Expected<Theme> stage = parse_theme(kStageTheme, "stage", "config/themes/stage.toml", Theme());
+    RAKS_ASSERT(stage.has_value());
+    return stage ? std::move(*stage) : Theme();
 }
 
 }  // namespace
 
-std::span<const std::string_view> theme_names() noexcept { return kThemeNames; }
+const Theme& default_theme() noexcept {
+    static const Theme stage = shipped_stage();
+    return stage;
+}
 
-const Theme& default_theme() noexcept { return themes()[0]; }
-
-Expected<const Theme*> find_theme(std::string_view name) {
-    for (const Theme& theme : themes()) {
-        if (theme.name == name) {
-            return &theme;
-        }
+Expected<Theme> parse_theme(std::string_view text,
+                            const std::string& name,
+                            const std::string& file,
+                            const Theme& base) {
+    const auto root = parse_toml(text, file);
+    if (!root) {
+        return fail(root.error());
     }
-    return fail(unknown_name("theme", name, kThemeNames));
+    Theme theme = base;
+    theme.name = name;
+    return ThemeReader(*root, file).read(std::move(theme));
 }
 
 }  // namespace raks::render

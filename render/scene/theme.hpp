@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <string>
 #include <string_view>
 
 #include "base/expected.hpp"
@@ -25,10 +25,30 @@ struct Outfit {
     glm::vec3 iris{};    ///< of the eyes
 };
 
+/// A floor of glowing tiles that follow beat and bands. Tiles of four kinds are spread over it:
+/// each swells on one beat of four and with one band of the music.
+struct TileFloor {
+    float size = 0.0F;                   ///< metres, of a tile's edge; 0: there are no tiles
+    float glow = 0.0F;                   ///< of a tile at rest, as a share of one at its brightest
+    std::array<glm::vec3, 4> colours{};  ///< by kind; linear
+};
+
+/// Beams of light in haze, from lamps over and behind the dancers; they sweep with the beat and
+/// brighten with the bands of the music.
+struct LightBeams {
+    int count = 0;          ///< lamps side by side, up to kMostBeams; 0: there are none
+    float strength = 0.0F;  ///< light added where a beam is brightest
+    float haze = 0.0F;      ///< light added to the air before the backdrop
+    std::array<glm::vec3, 3> colours{};  ///< of lamps side by side, in turn; linear
+};
+/// Most lamps of a theme.
+inline constexpr int kMostBeams = 12;
+
 /// Colours and lights of one look. Colours are linear (not sRGB), [0, 1]; lights are linear and may
-/// exceed 1.
+/// exceed 1. File format: docs/reference/files.md.
 struct Theme {
-    std::string_view name;  ///< as in theme_names
+    std::string name;       ///< as in messages and for --theme
+    bool is_listed = true;  ///< among those that a key goes through
 
     std::array<Outfit, 6> outfits{};  ///< Dress::dancer: dancers of one picture differ
     // Dress::mannequin
@@ -59,16 +79,22 @@ struct Theme {
     glm::vec3 ground_light{};    ///< and from below
     float exposure = 1.0F;       ///< factor before tone mapping
     bool has_tone_curve = true;  ///< else light is shown as it is, up to 1
+
+    glm::vec3 breakdown_tint{1.0F};  ///< factor on the stage's light in a breakdown
+    glm::vec3 drop_tint{1.0F};       ///< and as a drop opens it
+    TileFloor tiles;                 ///< on the floor
+    LightBeams beams;                ///< over the stage
 };
 
-/// Names of the stage's looks, the default first: "stage", "workshop_dark", "studio_light".
-/// find_theme also knows "plain": one white light and no tone curve, to look at surfaces.
-[[nodiscard]] std::span<const std::string_view> theme_names() noexcept;
-
-/// The theme "stage". The built-in themes live as long as the program.
+/// The theme "stage", which is a part of the program. Lives as long as it.
 [[nodiscard]] const Theme& default_theme() noexcept;
 
-/// The built-in theme of that name, never null. Errors: unknown name, with the nearest known one.
-[[nodiscard]] Expected<const Theme*> find_theme(std::string_view name);
+/// Reads a theme's file. What it does not hold is as in `base`, but for its name. `name`: of the
+/// theme. `file`: for errors. Errors: no TOML; another format or version; an unknown key; a value
+/// of the wrong kind or out of its range. Threads: any. Real-time: no.
+[[nodiscard]] Expected<Theme> parse_theme(std::string_view toml,
+                                          const std::string& name,
+                                          const std::string& file,
+                                          const Theme& base = default_theme());
 
 }  // namespace raks::render

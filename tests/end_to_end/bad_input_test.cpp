@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
@@ -71,7 +73,6 @@ TEST_F(BadInput, wrong_usage_is_exit_code_2) {
         {"render", music, "-o", path("x.mov"), "--alpha", "--backdrop", "stage"}, 2, "--alpha");
     expect_one_line({"play", music, "--seed", "-1"}, 2, "seed");
     expect_one_line({"dance", music, "-o", path("x.bvh"), "--fps", "1e9"}, 2, "fps");
-    expect_one_line({"render", music, "-o", path("x.mp4"), "--theme", "stgae"}, 2, "stage");
     expect_one_line({"bench", "hearing"}, 2, "hearing");
     expect_one_line({"train", "report", music, "--labels", music, "--role", "boss"}, 2, "boss");
     expect_one_line({"train", "report", music, "--most-states", "1"}, 2, "most-states");
@@ -147,6 +148,34 @@ TEST_F(BadInput, a_file_full_of_nan_is_analyzed_as_silence) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out.find(": nan"), std::string::npos);
     EXPECT_EQ(result.out.find("null"), std::string::npos);
+}
+
+TEST_F(BadInput, a_theme_that_is_unknown_or_mangled_is_told_and_the_default_is_shown) {
+    write("bad.toml", "format = \"raks-theme\"\nversion = 1\nexposure = \"bright\"\n");
+    write_clicks("x.wav", 1.0);
+    const std::pair<std::string, std::string> cases[] = {
+        {"stgae", "did you mean \"stage\"?"},
+        {path("bad.toml"), "line 3: exposure must be a number"},
+        {path("none.toml"), "none.toml"},
+    };
+    for (const auto& [theme, part] : cases) {
+        const ProcessResult drawn = run({"render",
+                                         path("x.wav"),
+                                         "-o",
+                                         path("x.mkv"),
+                                         "--size",
+                                         "64x64",
+                                         "--duration",
+                                         "0.2",
+                                         "--theme",
+                                         theme});
+        EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+        EXPECT_NE(drawn.err.find(part), std::string::npos) << drawn.err;
+        const std::string said = "the theme \"stage\" is shown instead";
+        const std::size_t at = drawn.err.find(said);
+        ASSERT_NE(at, std::string::npos) << drawn.err;
+        EXPECT_EQ(drawn.err.find(said, at + 1), std::string::npos) << drawn.err;
+    }
 }
 
 TEST_F(BadInput, an_unknown_key_in_the_settings_is_said_and_stops_nothing) {

@@ -119,11 +119,11 @@ TEST_F(Lists, a_look_is_kept_as_a_preset_and_taken_again) {
     EXPECT_TRUE(says("raks: kept as preset Ab"));
     const auto kept = read_file(path("config/raks/presets/Ab.toml"));
     ASSERT_TRUE(kept) << kept.error().message;
-    for (const char* const part : {"workshop_dark", "\"waltz\"", "\"solo\"", "\"director\""}) {
+    for (const char* const part : {"club", "\"waltz\"", "\"solo\"", "\"director\""}) {
         EXPECT_NE(kept->find(part), std::string::npos) << part << *kept;
     }
     press({"l", "d"});
-    EXPECT_TRUE(says("theme studio_light"));
+    EXPECT_TRUE(says("theme dance_floor"));
     press({"F3", "Return"});
     EXPECT_TRUE(says("raks: preset Ab"));
     EXPECT_TRUE(says_twice("dancing waltz"));

@@ -48,7 +48,7 @@ holds() {
     done
 }
 holds raks bin/raks libexec/raks/raks-{decode,import,unpack} lib/raks/raks-{film,codec}.so \
-    share/raks/models/trained/dances.toml share/raks/config/default.toml \
+    share/raks/models/trained/dances.toml share/raks/config/default.toml share/raks/config/themes/{stage,club,dance_floor}.toml \
     share/applications/org.raks.Raks.desktop share/metainfo/org.raks.Raks.metainfo.xml \
     share/mime/packages/org.raks.Raks.xml share/icons/hicolor/scalable/apps/org.raks.Raks.svg \
     share/man/man1/raks{,-play,-live,-xbody}.1.gz share/bash-completion/completions/raks \

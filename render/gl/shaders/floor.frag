@@ -1,5 +1,8 @@
 #ifdef FAST
 in vec4 shade;
+#ifdef TILES
+in vec3 tiled;
+#endif
 #else
 in vec3 world;
 #endif
@@ -7,7 +10,12 @@ out vec4 colour;
 
 #ifdef FAST
 
-void main() { colour = vec4(shade.rgb + dither(gl_FragCoord.xy) * tone.y, shade.a); }
+void main() {
+    colour = vec4(shade.rgb + dither(gl_FragCoord.xy) * tone.y, shade.a);
+#ifdef TILES
+    colour.rgb += tile_light(tiled.xy) * tiled.z;
+#endif
+}
 
 #else
 
@@ -32,6 +40,9 @@ void main() {
     vec2 pixel = gl_FragCoord.xy - picture.xy;
     vec3 behind = backdrop(backdrop_place(2.0 * pixel / picture.zw - 1.0));
     vec3 shown = mix(floor_colour(radius, lit), behind, fade);
+#ifdef TILES
+    shown += tile_light(world.xz) * (mix(0.4, 1.0, lit) * (1.0 - fade));
+#endif
     shown = shown * (1.0 - ring * display_ring.a) + display_ring.rgb * ring;
     shown += dither(gl_FragCoord.xy);
 

@@ -2,6 +2,9 @@ layout(location = 0) in vec2 place_of_one;  // x, z in metres, of a floor of siz
 
 #ifdef FAST
 out vec4 shade;
+#ifdef TILES
+out vec3 tiled;  // place, and how far tiles show
+#endif
 #else
 out vec3 world;
 #endif
@@ -22,6 +25,9 @@ void main() {
     shade = mix(vec4(0.0, 0.0, 0.0, 0.6 * (1.0 - lit) * (1.0 - fade)),
                 vec4(mix(shown, behind, fade), 1.0),
                 tone.y);
+#ifdef TILES
+    tiled = vec3(place, mix(0.4, 1.0, lit) * (1.0 - fade) * tone.y);
+#endif
 #else
     world = vec3(place.x, 0.0, place.y);
 #endif

@@ -29,6 +29,12 @@ layout(std140) uniform Frame {
                               // dither; pixels of 0.04 m at 1 m distance
     vec4 counts;              // of the blobs; 1: light is shown as it is, without the tone curve;
                               // size of the floor, 1 for few dancers; 1: the floor has shadows
+    vec4 show;                // 1 / width^2 of the pool of light and of the backdrop's glow; edge
+                              // of a tile; seconds; light of the haze
+    vec4 tiles[4];            // display_ light that tiles of each kind add
+    vec4 lamps[12];           // of each beam: world, brightness
+    vec4 beam_ends[12];       // world, number of its colour
+    vec4 beam_colours[3];     // display_
 };
 
 // Soft shadows of all dancers.
@@ -59,7 +65,7 @@ float dither(vec2 fragment) {
 vec3 backdrop(vec2 p) {
     vec3 base = mix(display_top.rgb, display_horizon.rgb, clamp(2.06 * p.y, 0.0, 1.0));
     vec2 d = p - vec2(0.0, 0.32);
-    float glow = 0.69 * exp(-dot(d, d) / 0.31) * (1.0 - smoothstep(0.31, 0.60, p.y));
+    float glow = 0.69 * exp(-dot(d, d) / 0.31 * show.x) * (1.0 - smoothstep(0.31, 0.60, p.y));
     return mix(base, display_glow.rgb, glow);
 }
 
@@ -97,7 +103,7 @@ float floor_fade(float radius) { return smoothstep(kFadeStart, kFadeEnd, radius 
 // Floor as shown, before rings; `lit` is 1 without shadow.
 vec3 floor_colour(float from_middle, float lit) {
     float radius = from_middle / counts.z;
-    float pool = exp(-0.22 * radius * radius);
+    float pool = exp(-0.22 * radius * radius * show.x);
     vec3 albedo = mix(floor_edge.rgb, floor_centre.rgb, pool);
     vec3 light = floor_key_tint.rgb * (lit * mix(0.3, 1.0, pool)) + floor_sky_tint.rgb;
     return encoded(albedo * light);

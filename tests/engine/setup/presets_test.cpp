@@ -62,8 +62,8 @@ TEST(PresetText, faults_name_file_line_and_what_is_meant) {
         const char* toml;
         const char* fault;
     } cases[] = {
-        {"[picture]\ntheme = \"stge\"\n",
-         "party.toml: picture.theme \"stge\" is unknown; did you mean \"stage\"?"},
+        {"[picture]\ncamera = \"frnt\"\n",
+         "party.toml: picture.camera \"frnt\" is unknown; did you mean \"front\"?"},
         {"[picture]\ntheme = 3\n", "party.toml: line 2: picture.theme must be a text"},
         {"[dance]\nforbidden = \"rock\"\n",
          "party.toml: line 2: dance.forbidden must be a list of up to 250 texts"},

@@ -34,16 +34,7 @@ std::vector<Look> looks_of(std::string Settings::*field) {
     return looks;
 }
 
-TEST(Look, has_another_theme_dress_and_quality_by_every_word) {
-    std::set<std::string_view> themes;
-    for (const Look& look : looks_of(&Settings::theme)) {
-        themes.insert(look.scene.theme->name);
-    }
-    const Texts words = words_of(&Settings::theme);
-    EXPECT_EQ(themes, std::set<std::string_view>(words.begin(), words.end()));
-    for (const std::string_view theme : render::theme_names()) {
-        EXPECT_TRUE(themes.contains(theme)) << theme;
-    }
+TEST(Look, has_another_dress_and_quality_by_every_word) {
     std::set<render::Dress> dresses;
     for (const Look& look : looks_of(&Settings::dress)) {
         dresses.insert(look.scene.dress);

@@ -19,6 +19,7 @@
 
 #include "base/pending_file.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/themes.hpp"
 #include "tests/support/file_drop.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -192,7 +193,7 @@ TEST_F(WindowLoopOnXvfb, l_and_v_go_through_themes_and_cameras_and_c_puts_the_ca
         return now.pictures > 0 && now.scene.theme != first.scene.theme &&
                !(now.scene.camera == first.scene.camera);
     });
-    EXPECT_EQ(second.scene.theme->name, render::theme_names()[1]);
+    EXPECT_EQ(second.scene.theme->name, theme_names()[1]);
     EXPECT_EQ(second.scene.camera.distance, 3.0F) << "as the content frames it";
     EXPECT_TRUE(was_said("theme "));
     EXPECT_TRUE(was_said("camera portrait"));

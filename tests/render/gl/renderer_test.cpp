@@ -1,5 +1,6 @@
 // Whole pictures of the mannequin and the stick figure, drawn off-screen by llvmpipe.
 #include "tests/render/gl/pictures.hpp"
+#include "tests/render/scene/shipped_themes.hpp"
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -218,17 +219,18 @@ TEST_F(RendererTest, shadow_and_rings_can_be_left_out) {
 TEST_F(RendererTest, stage_is_opaque_everywhere_and_not_one_colour) {
     for (const Quality quality : kQualities) {
         Renderer renderer = make_renderer(quality);
-        for (const std::string_view theme : theme_names()) {
+        for (const auto& [theme, look] : shipped_themes()) {
             Scene scene;
-            scene.theme = find_theme(theme).value();
+            scene.theme = &look;
             const Picture picture = draw(renderer, scene, step_pose());
             int opaque = 0;
             for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
                 opaque += picture.rgba[i] == 255 ? 1 : 0;
             }
             EXPECT_EQ(opaque, kWidth * kHeight) << theme;
-            const bool is_light = theme == "studio_light";
-            EXPECT_EQ(picture.brightness() > 128.0, is_light) << theme;
+            if (look.is_listed) {
+                EXPECT_EQ(picture.brightness() > 128.0, theme == "studio_light") << theme;
+            }
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "render/scene/stage_shapes.hpp"
 #include "render/scene/stick_figure.hpp"
 #include "render/scene/theme.hpp"
+#include "tests/render/scene/shipped_themes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,27 +118,8 @@ TEST(Camera, an_unknown_name_is_answered_with_the_nearest_one) {
               "camera \"fornt\" is unknown; did you mean \"front\"?");
 }
 
-TEST(Theme, every_name_is_found_and_the_first_is_the_default) {
-    for (const std::string_view name : theme_names()) {
-        EXPECT_EQ(find_theme(name).value()->name, name);
-    }
-    EXPECT_EQ(find_theme(theme_names().front()).value(), &default_theme());
-}
-
-TEST(Theme, an_unknown_name_is_answered_with_the_nearest_one) {
-    EXPECT_EQ(find_theme("stge").error().message,
-              "theme \"stge\" is unknown; did you mean \"stage\"?");
-    EXPECT_EQ(find_theme("studio-light").error().message,
-              "theme \"studio-light\" is unknown; did you mean \"studio_light\"?");
-    EXPECT_EQ(find_theme("xyzzy").error().message,
-              "theme \"xyzzy\" is unknown; known: stage, workshop_dark, studio_light");
-    EXPECT_FALSE(find_theme("").has_value());
-    EXPECT_LT(find_theme(std::string(1'000'000, 'x')).error().message.size(), 200U);
-}
-
 TEST(Theme, colours_are_linear_and_lights_are_on) {
-    for (const std::string_view name : theme_names()) {
-        const Theme& theme = *find_theme(name).value();
+    for (const auto& [name, theme] : shipped_themes()) {
         for (const glm::vec3 colour : {theme.background_top, theme.floor_centre, theme.ring}) {
             for (int i = 0; i < 3; ++i) {
                 EXPECT_GT(colour[i], 0.0F) << name;

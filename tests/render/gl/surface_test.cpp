@@ -1,6 +1,7 @@
 // Textured and toon surfaces of imported avatars against their own formulas, on a sphere under the
 // theme of one white light.
 #include "tests/render/gl/pictures.hpp"
+#include "tests/render/scene/shipped_themes.hpp"
 
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ Avatar sphere(const ModelMaterial& material) { return build_avatar(sphere_model(
 
 Scene plain_scene() {
     Scene scene;
-    scene.theme = find_theme("plain").value();
+    scene.theme = &shipped_theme("plain");
     scene.camera.yaw = 0.0F;
     scene.camera.target = kSphereMiddle;
     scene.camera.distance = 3.0F;

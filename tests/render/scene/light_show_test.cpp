@@ -133,6 +133,52 @@ TEST(LightShow, is_the_brighter_the_fuller_the_music_and_darkest_in_silence) {
     EXPECT_GT(breakdown.rim, usual.rim) << "an outline before the dark";
 }
 
+/// Levels at the end of a breakdown of 6 s, of a build-up of 6 s, and 1 s after the drop.
+struct Turn {
+    LightLevels breakdown;
+    LightLevels risen;
+    LightLevels opened;
+    LightLevels later;  ///< 30 s after it
+};
+Turn turned(Liveliness liveliness) {
+    const auto levels = lit(
+        4800,
+        [](StagedMusic& music) {
+            const HopIndex hop = music.hop();
+            music.next.part = hop < 600    ? MusicPart::breakdown
+                              : hop < 1200 ? MusicPart::build_up
+                                           : MusicPart::playing;
+            if (hop == 1200) {
+                music.next.event.kind = EventKind::drop;
+            }
+        },
+        liveliness);
+    return {levels[590], levels[1190], levels[1300], levels[4200]};
+}
+
+TEST(LightShow, a_breakdown_dims_and_narrows_a_build_up_rises_and_a_drop_opens) {
+    const Turn turn = turned(Liveliness::usual);
+    EXPECT_LT(turn.breakdown.width, 0.7F);
+    EXPECT_GT(turn.risen.width, turn.breakdown.width);
+    EXPECT_GT(turn.opened.width, 1.3F);
+    EXPECT_GT(turn.breakdown.breakdown, 0.95F);
+    EXPECT_LT(turn.risen.breakdown, 0.5F);
+    EXPECT_LT(turn.opened.breakdown, 0.2F);
+    EXPECT_GT(turn.opened.drop, 0.8F);
+    for (float LightLevels::*const light : {&LightLevels::floor, &LightLevels::backdrop}) {
+        EXPECT_GT(turn.risen.*light, 1.5F * turn.breakdown.*light);
+        EXPECT_GT(turn.opened.*light, 2.0F * turn.breakdown.*light);
+        EXPECT_LT(turn.later.*light, turn.opened.*light - 0.1F) << "and it calms down";
+    }
+    EXPECT_LT(turn.later.drop, 0.2F);
+}
+
+TEST(LightShow, is_calm_about_a_drop_where_it_is_asked_to_be) {
+    const Turn turn = turned(Liveliness::calm);
+    EXPECT_LT(turn.opened.drop, 0.4F);
+    EXPECT_GT(turn.breakdown.width, 0.8F);
+}
+
 TEST(LightShow, answers_an_accent_within_a_tenth_of_a_second_where_its_band_says) {
     const auto after = [](Band band) {
         const auto levels = lit(120, [&](StagedMusic& music) {

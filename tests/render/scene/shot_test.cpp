@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <vector>
 
 #include "tests/render/scene/staged_music.hpp"
 
@@ -13,8 +15,13 @@ namespace raks::render {
 namespace {
 
 constexpr float kFormats[] = {21.0F / 9.0F, 16.0F / 9.0F, 1.0F, 9.0F / 16.0F, 0.4F};
-constexpr ShotSize kAllSizes[] = {
-    ShotSize::wide, ShotSize::full, ShotSize::knees_up, ShotSize::upper_body, ShotSize::feet};
+constexpr ShotSize kAllSizes[] = {ShotSize::wide,
+                                  ShotSize::low,
+                                  ShotSize::full,
+                                  ShotSize::knees_up,
+                                  ShotSize::upper_body,
+                                  ShotSize::face,
+                                  ShotSize::feet};
 
 /// From -1 to 1, as OpenGL has it.
 glm::vec2 place_in_picture(const Camera& camera, glm::vec3 at, float aspect) {
@@ -27,6 +34,43 @@ DancersRoom room_of(std::initializer_list<glm::vec3> places) {
     return keeper.advance(people_at(places));
 }
 
+/// Of the outline, at the box's lower and upper side.
+std::vector<glm::vec3> corners_of(const ShotView& view) {
+    std::vector<glm::vec3> corners;
+    for (const glm::vec2 corner : view.outline) {
+        corners.emplace_back(corner.x, view.box.low.y, corner.y);
+        corners.emplace_back(corner.x, view.box.high.y, corner.y);
+    }
+    return corners;
+}
+
+TEST(DancersRoom, has_an_outline_around_all_joints_that_is_nowhere_wider_than_its_box) {
+    const auto people = people_at({{-0.4F, 0, 0.3F}, {0.5F, 0, 0.7F}});
+    const DancersRoom room = DancersRoomKeeper().advance(people);
+    for (int i = 0; i < 64; ++i) {
+        const float angle = 0.1F * static_cast<float>(i);
+        const glm::vec2 along(std::cos(angle), std::sin(angle));
+        float outline = -9.0F;
+        for (const glm::vec2 corner : room.outline) {
+            outline = std::max(outline, glm::dot(corner, along));
+        }
+        float box = -9.0F;
+        for (const glm::vec2 corner : outline_of(room.body)) {
+            box = std::max(box, glm::dot(corner, along));
+        }
+        EXPECT_LE(outline, box + 0.02F) << angle;
+        for (const motion::WorldPose& dancer : people) {
+            for (const motion::Bone bone : {motion::Bone::left_hand,
+                                            motion::Bone::right_hand,
+                                            motion::Bone::head,
+                                            motion::Bone::left_foot}) {
+                const glm::vec3 at = dancer.position(bone);
+                EXPECT_GT(outline, glm::dot(glm::vec2(at.x, at.z), along) + 0.05F);
+            }
+        }
+    }
+}
+
 TEST(Shot, shows_its_whole_box_in_every_format_from_every_direction) {
     const DancersRoom rooms[] = {room_of({{0, 0, 0}}),
                                  room_of({{-0.4F, 0, 0.3F}, {0.5F, 0, 0.7F}}),
@@ -37,10 +81,7 @@ TEST(Shot, shows_its_whole_box_in_every_format_from_every_direction) {
                 for (const float aspect : kFormats) {
                     const ShotView view = view_of(size, room, yaw);
                     const Camera camera = camera_of(view, aspect);
-                    for (int corner = 0; corner < 8; ++corner) {
-                        const glm::vec3 at((corner & 1) != 0 ? view.box.high.x : view.box.low.x,
-                                           (corner & 2) != 0 ? view.box.high.y : view.box.low.y,
-                                           (corner & 4) != 0 ? view.box.high.z : view.box.low.z);
+                    for (const glm::vec3 at : corners_of(view)) {
                         const glm::vec2 seen = place_in_picture(camera, at, aspect);
                         const float most = 1.001F - 2.0F * view.margin;
                         const float aside =
@@ -62,10 +103,7 @@ TEST(Shot, stands_no_further_than_its_box_needs) {
             Camera nearer = camera_of(view, aspect);
             nearer.distance *= 0.97F;
             bool is_cut = false;
-            for (int corner = 0; corner < 8; ++corner) {
-                const glm::vec3 at((corner & 1) != 0 ? view.box.high.x : view.box.low.x,
-                                   (corner & 2) != 0 ? view.box.high.y : view.box.low.y,
-                                   (corner & 4) != 0 ? view.box.high.z : view.box.low.z);
+            for (const glm::vec3 at : corners_of(view)) {
                 const glm::vec2 seen = place_in_picture(nearer, at, aspect);
                 const float most = 1.0F - 2.0F * view.margin;
                 const float aside = 1.0F - 2.0F * std::min(view.margin, ShotView::kSideMargin);
@@ -80,8 +118,11 @@ TEST(Shot, is_nearer_the_less_of_the_body_it_shows) {
     const DancersRoom room = room_of({{0, 0, 0}});
     const float wide = 16.0F / 9.0F;
     float last = 100.0F;
-    for (const ShotSize size :
-         {ShotSize::wide, ShotSize::full, ShotSize::knees_up, ShotSize::upper_body}) {
+    for (const ShotSize size : {ShotSize::wide,
+                                ShotSize::full,
+                                ShotSize::knees_up,
+                                ShotSize::upper_body,
+                                ShotSize::face}) {
         const Camera camera = camera_of(view_of(size, room, 0.1F), wide);
         const float height = camera.distance * std::tan(0.5F * camera.vertical_fov);
         EXPECT_LT(height, 0.9F * last) << name_of(size);
