@@ -48,7 +48,7 @@ constexpr float kWellOverHead = 0.4F;
 // Closed frame. The hands are so far beside the middle of the two shoulders; of an arm's length.
 constexpr float kFrameAside = 0.7F;
 // Height of the eyes over the head's joint, of that of the head's middle.
-constexpr float kEyes = 0.6F;
+constexpr float kEyesOfHead = 0.6F;
 // Places of the partner's body that palms lie on, of the left side: shares of the girth of the
 // trunk's flanks, and metres of a body as large as the mannequin.
 constexpr float kBladeAside = 1.6F;     // of the way from the trunk's middle to that of a flank
@@ -239,7 +239,7 @@ glm::vec3 CoupleGrips::frame_point(const ClosedFrame& frame, const Couple& coupl
     glm::vec3 point = 0.5F * (couple.lead[static_cast<std::size_t>(Side::left)].arm.root +
                               couple.follow[static_cast<std::size_t>(Side::right)].arm.root);
     point += kFrameAside * 0.5F * (lead_.arm_length + follow_.arm_length) * aside;
-    const glm::vec3 eyes{0.0F, kEyes * follow_.skeleton.girth.head_height, 0.0F};
+    const glm::vec3 eyes{0.0F, kEyesOfHead * follow_.skeleton.girth.head_height, 0.0F};
     point.y = static_cast<float>(frame.clasp) * couple.follow_world.point(Bone::head, eyes).y;
     return point;
 }

@@ -12,7 +12,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kHopSeconds = static_cast<float>(to_seconds(kHop));
+constexpr float kPlaceHop = static_cast<float>(to_seconds(kHop));
 // Radians a second of the critically damped spring that moves her: half the way in 0.15 s.
 constexpr float kSpring = 11.0F;
 constexpr float kFootSeconds = 0.07F;  // time constant of a foot in the air
@@ -55,13 +55,13 @@ glm::vec2 missing_way(const ClosedFrame* frame,
 }
 
 void PartnerPlace::advance(const glm::vec2& way, const Pose& danced) noexcept RAKS_NONBLOCKING {
-    speed_ += kHopSeconds * kSpring * (kSpring * (way - goal_) - 2.0F * speed_);
-    goal_ += kHopSeconds * speed_;
+    speed_ += kPlaceHop * kSpring * (kSpring * (way - goal_) - 2.0F * speed_);
+    goal_ += kPlaceHop * speed_;
     for (std::size_t side = 0; side < feet_.size(); ++side) {
-        air_[side] = danced.foot_contact[side] ? 0.0F : air_[side] + kHopSeconds;
+        air_[side] = danced.foot_contact[side] ? 0.0F : air_[side] + kPlaceHop;
         // The hips lean after the feet: a foot that leaves at once would jerk them.
         const float leaves = smoothstep(0.0F, kFootLeaves, air_[side]);
-        feet_[side] += leaves * kHopSeconds / kFootSeconds * (goal_ - feet_[side]);
+        feet_[side] += leaves * kPlaceHop / kFootSeconds * (goal_ - feet_[side]);
     }
 }
 

@@ -17,7 +17,7 @@ constexpr std::uint64_t kTeethStream = 22;
 constexpr std::uint64_t kAwayStream = 23;
 
 constexpr float kEase = 0.11F;   // seconds; of each stage of the filter
-constexpr float kEyes = 0.035F;  // seconds; eyes are quicker than faces
+constexpr float kEyesSeconds = 0.035F;  // seconds; eyes are quicker than faces
 
 // An emotion passes this long after the last one: at an accent or a bar line between the two.
 constexpr double kShortestGap = 1.5;  // seconds
@@ -66,7 +66,7 @@ float share(float seconds) noexcept {
 
 Feeling eased(const Feeling& from, const Feeling& to) noexcept {
     Feeling next = interpolate(from, to, share(kEase));
-    next.audience = from.audience + share(kEyes) * (to.audience - from.audience);
+    next.audience = from.audience + share(kEyesSeconds) * (to.audience - from.audience);
     return next;
 }
 
