@@ -90,8 +90,8 @@ TEST_F(PresetOption, that_cannot_be_used_is_told_in_one_line_and_the_rest_holds)
     };
     write("bad", "[picture\n");
     expect_told("bad.toml: line 1");
-    write("bad", "[picture]\ntheme = \"stge\"\n");
-    expect_told("did you mean \"stage\"?");
+    write("bad", "[picture]\ncamera = \"wid\"\n");
+    expect_told("did you mean \"wide\"?");
     write("bad", "[lights]\nstrobe = true\n");
     expect_told("key \"lights\" is unknown and ignored");
     fs::resize_file(preset("bad"), 100'000'000);
