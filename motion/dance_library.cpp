@@ -1,5 +1,6 @@
 #include "motion/dance_library.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "motion/dance/content_file.hpp"
@@ -17,6 +18,14 @@ std::vector<std::string_view> DanceLibrary::figure_names() const {
         names.emplace_back(figure.name);
     }
     return names;
+}
+
+StillPart DanceLibrary::still_part(std::string_view figure) const noexcept {
+    const auto& figures = content_->figures;
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const LibraryFigure& one) {
+        return one.name == figure;
+    });
+    return found != figures.end() ? found->still : StillPart::nothing;
 }
 
 const CellGraph* DanceLibrary::cells() const noexcept { return content_->cells.get(); }

@@ -62,6 +62,10 @@ class DanceLibrary {
     /// The figures' names in the order of `figures`; the views are valid as long as the library
     /// lives.
     [[nodiscard]] std::vector<std::string_view> figure_names() const;
+
+    /// What stays where it is in the room while this figure moves the hips; `nothing` also for a
+    /// name that is unknown. Threads: any. Real-time: no.
+    [[nodiscard]] StillPart still_part(std::string_view figure) const noexcept;
     /// The cells of a dance of cells, whose figures are its takes; null: a dance of figures.
     [[nodiscard]] const CellGraph* cells() const noexcept;
     /// The pose at a beat of a figure or take as it was learnt, seen from where it begins.

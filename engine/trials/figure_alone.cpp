@@ -151,7 +151,12 @@ Expected<std::vector<DancedWrittenFigure>> danced_written_figures(
         }
         // Both kinds of faults are reported: expectations of the file, and poses that no body
         // takes.
-        std::vector<std::string> faults = faults_in_measures(*written, figure, *measures);
+        motion::AuthoredFigure expected = figure;
+        // A head that stays where it is has no way that hands could trail.
+        if (library->still_part(figure.name) != motion::StillPart::nothing) {
+            expected.expectation.hand_delay.reset();
+        }
+        std::vector<std::string> faults = faults_in_measures(*written, expected, *measures);
         for (std::string& fault : faults_in_poses(*written, figure, *measures)) {
             faults.push_back(std::move(fault));
         }

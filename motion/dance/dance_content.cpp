@@ -10,7 +10,7 @@
 #include "motion/dance/baking/trajectory.hpp"
 #include "motion/dance/baking/variation.hpp"
 #include "motion/dance/body/hands.hpp"
-#include "motion/dance/body/isolation.hpp"
+#include "motion/dance/dynamics/isolation.hpp"
 #include "motion/figures/motion_features.hpp"
 #include "motion/skeleton/pose.hpp"
 

@@ -101,7 +101,10 @@ void expect_row(const TableRow& row, const ModelSurvey& found) {
     expect_count(row, "images", found.images);
     expect_count(row, "animations", found.animations);
     expect_count(row, "springs", found.springs);
-    expect_count(row, "expressions", found.expressions);
+    // Where the file has none by itself, some are made of morphs with known names.
+    if (row.at("expressions") != "-") {
+        expect_count(row, "expressions", found.expressions);
+    }
     if (row.at("rest_minus_bind_m") != "-") {
         const float wanted = std::stof(row.at("rest_minus_bind_m"));
         EXPECT_NEAR(found.rest_minus_bind.value_or(-1.0F), wanted, 2e-4F + 1e-2F * wanted);

@@ -1,4 +1,4 @@
-#include "motion/dance/body/isolation.hpp"
+#include "motion/dance/dynamics/isolation.hpp"
 
 #include <algorithm>
 #include <array>
