@@ -108,7 +108,8 @@ void Dancer::State::rest_hands(const MusicState& music) noexcept {
     }
     const WayOfRest way = way_at(*place);
     // A frame is kept, or left, by both hands.
-    const bool both = content().form.hold == CoupleHold::closed || random.uniform(draw + 2) < way.both;
+    const bool both =
+        content().form.hold == CoupleHold::closed || random.uniform(draw + 2) < way.both;
     const Side own = random.below(draw + 3, 2) == 0 ? Side::left : Side::right;
     end_rest(music.time);
     for (const Side side : kSides) {

@@ -16,7 +16,7 @@ constexpr std::uint64_t kEmotionStream = 21;
 constexpr std::uint64_t kTeethStream = 22;
 constexpr std::uint64_t kAwayStream = 23;
 
-constexpr float kEase = 0.11F;   // seconds; of each stage of the filter
+constexpr float kEase = 0.11F;          // seconds; of each stage of the filter
 constexpr float kEyesSeconds = 0.035F;  // seconds; eyes are quicker than faces
 
 // An emotion passes this long after the last one: at an accent or a bar line between the two.
