@@ -73,29 +73,39 @@ std::vector<bool> seen(const std::vector<Feeling>& felt, Emotion emotion) {
     return is_seen;
 }
 
+/// How many emotions are seen, and for how many hops at most none but the base.
+struct Moods {
+    int seen = 0;
+    std::size_t longest_base = 0;
+};
+
+Moods moods_in(const std::vector<Feeling>& felt, Emotion base) {
+    Moods moods;
+    std::vector<bool> is_other(felt.size(), false);
+    for (std::size_t e = 0; e < kEmotionCount; ++e) {
+        const std::vector<bool> own = seen(felt, static_cast<Emotion>(e));
+        moods.seen += std::find(own.begin(), own.end(), true) != own.end() ? 1 : 0;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            is_other[i] = is_other[i] || (own[i] && static_cast<Emotion>(e) != base);
+        }
+    }
+    std::size_t alone = 0;
+    for (const bool other : is_other) {
+        alone = other ? 0 : alone + 1;
+        moods.longest_base = std::max(moods.longest_base, alone);
+    }
+    return moods;
+}
+
 TEST(Feelings, four_moods_a_minute_and_never_the_base_alone_for_six_seconds) {
     for (const Emotion base : {Emotion::relaxed, Emotion::happy, Emotion::angry}) {
         for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
             for (const float energy : {0.2F, 0.6F, 1.0F}) {
                 const auto felt =
                     Felt{.seed = seed, .mood = {.base = base}, .energy = energy}.over(60.0);
-                int moods = 0;
-                std::vector<bool> is_other(felt.size(), false);
-                for (std::size_t e = 0; e < kEmotionCount; ++e) {
-                    const std::vector<bool> own = seen(felt, static_cast<Emotion>(e));
-                    moods += std::find(own.begin(), own.end(), true) != own.end() ? 1 : 0;
-                    for (std::size_t i = 0; i < own.size(); ++i) {
-                        is_other[i] = is_other[i] || (own[i] && static_cast<Emotion>(e) != base);
-                    }
-                }
-                std::size_t longest = 0;
-                std::size_t alone = 0;
-                for (const bool other : is_other) {
-                    alone = other ? 0 : alone + 1;
-                    longest = std::max(longest, alone);
-                }
-                EXPECT_GE(moods, 4) << "seed " << seed << ", energy " << energy;
-                EXPECT_LE(longest, 600U) << "seed " << seed << ", energy " << energy;
+                const Moods moods = moods_in(felt, base);
+                EXPECT_GE(moods.seen, 4) << "seed " << seed << ", energy " << energy;
+                EXPECT_LE(moods.longest_base, 600U) << "seed " << seed << ", energy " << energy;
             }
         }
     }

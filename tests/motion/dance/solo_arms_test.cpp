@@ -68,6 +68,7 @@ TEST(SoloArms, arrive_near_their_keys_and_wait_there) {
 TEST(SoloArms, never_dance_one_pattern_twice_running) {
     const SoloArms solo = arms(4);
     std::vector<float> heights;
+    heights.reserve(200);
     for (int pattern = 0; pattern < 200; ++pattern) {
         heights.push_back(wrist_of(danced(solo, 8.0 * pattern + 4.0), Side::left).y);
     }
