@@ -112,6 +112,7 @@ Expected<std::vector<render::Model>> models_of(const std::vector<Path>& files,
 // The bodies of the models; without models the mannequin's.
 std::vector<motion::Skeleton> bodies_of(const std::vector<render::Model>& models) {
     std::vector<motion::Skeleton> bodies;
+    bodies.reserve(models.size() + 1);
     for (const render::Model& model : models) {
         bodies.push_back(engine::dance_body_of(model));
     }
@@ -179,6 +180,21 @@ Expected<void> lay_music_beside(const Path& output, const Path& music) {
     return copy->commit();
 }
 
+// Dances to all of the music, or to what was read when a signal came.
+void dance_through(engine::MusicSource& source,
+                   engine::OfflineDriver& driver,
+                   CollectDance& collect) {
+    ProgressLine progress("dancing");
+    for (auto block = source.next(); !block.mono.empty() && !stop_signal(); block = source.next()) {
+        driver.feed(block.mono, collect);
+        if (const auto share = source.progress()) {
+            progress.show(*share);
+        }
+    }
+    driver.finish(collect);
+    collect.poses.finish(source.given());
+}
+
 }  // namespace
 
 ExitCode dance(const DanceArguments& given) {
@@ -227,17 +243,7 @@ ExitCode dance(const DanceArguments& given) {
     }
     // Poses are kept in memory: files need their number before the first.
     CollectDance collect(arguments.fps, engine::face_habits(arguments.settings));
-    ProgressLine progress("dancing");
-    for (auto block = source->next(); !block.mono.empty() && !stop_signal();
-         block = source->next()) {
-        driver->feed(block.mono, collect);
-        if (const auto share = source->progress()) {
-            progress.show(*share);
-        }
-    }
-    // The end of the music, or of what was read when a signal came.
-    driver->finish(collect);
-    collect.poses.finish(source->given());
+    dance_through(*source, *driver, collect);
     if (!source->warning().empty()) {
         say(source->warning());
     }
