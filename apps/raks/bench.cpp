@@ -202,56 +202,40 @@ Expected<BenchReport> bench_motion(double seconds) {
     return added ? Expected<BenchReport>(std::move(report)) : fail(std::move(added.error()));
 }
 
-// Processor time in milliseconds of whole pictures of this size, without overlay and reading back;
-// of all threads, as a software renderer uses several.
-Expected<std::vector<double>> picture_costs(render::Renderer& renderer,
-                                            const render::Scene& scene,
-                                            std::span<const motion::Pose> poses,
-                                            int width,
-                                            int height) {
-    auto target = render::OffscreenTarget::create(
-        {.width = width, .height = height, .samples = renderer.samples()});
-    if (!target) {
-        return fail(target.error());
-    }
-    std::vector<double> costs;
-    constexpr int kPictures = 60;
-    for (int i = 0; i < kPictures; ++i) {
-        // finish() waits until the picture is drawn.
-        const double start = process_cpu_seconds();
-        renderer.draw(scene, poses, target->frame());
-        target->finish();
-        costs.push_back(1e3 * (process_cpu_seconds() - start));
-    }
-    return costs;
-}
+// Processor time in milliseconds of each picture, of all threads, as a software renderer uses
+// several.
+struct PictureCosts {
+    std::vector<double> drawing;  // without overlay
+    std::vector<double> reading;  // back, as films and outputs do it
+};
 
-// Processor time in milliseconds of reading a drawn picture back as films and outputs do: begun,
-// waited for, and taken.
-Expected<std::vector<double>> reading_costs(render::Renderer& renderer,
-                                            const render::Scene& scene,
-                                            std::span<const motion::Pose> poses,
-                                            int width,
-                                            int height) {
+// Of pictures of this size.
+Expected<PictureCosts> picture_costs(render::Renderer& renderer,
+                                     const render::Scene& scene,
+                                     std::span<const motion::Pose> poses,
+                                     const engine::PictureSize& size) {
     auto target = render::OffscreenTarget::create(
-        {.width = width, .height = height, .samples = renderer.samples()});
+        {.width = size.width, .height = size.height, .samples = renderer.samples()});
     if (!target) {
         return fail(target.error());
     }
-    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) *
-                                   static_cast<std::size_t>(height) * 4);
-    std::vector<double> costs;
+    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(size.width) *
+                                   static_cast<std::size_t>(size.height) * 4);
+    PictureCosts costs;
     constexpr int kPictures = 60;
     for (int i = 0; i < kPictures; ++i) {
+        // finish() waits until the driver has done what it was given.
+        const double start = process_cpu_seconds();
         renderer.draw(scene, poses, target->frame());
         target->finish();
-        const double start = process_cpu_seconds();
+        const double drawn = process_cpu_seconds();
         target->begin_reading();
         target->finish();
         if (auto read = target->finish_reading(rgba); !read) {
             return fail(read.error());
         }
-        costs.push_back(1e3 * (process_cpu_seconds() - start));
+        costs.drawing.push_back(1e3 * (drawn - start));
+        costs.reading.push_back(1e3 * (process_cpu_seconds() - drawn));
     }
     return costs;
 }
@@ -271,17 +255,17 @@ std::vector<motion::Pose> standing_poses(std::size_t dancers) {
 // What each of a crowd costs more than the first, seen by the camera that shows all of them.
 Expected<double> cost_of_each_more(render::Renderer& renderer, render::Scene scene) {
     constexpr std::size_t kCrowd = 12;
-    constexpr int kWidth = 1280;
-    constexpr int kHeight = 720;
+    constexpr engine::PictureSize kSize{1280, 720};
     const std::vector<motion::Pose> crowd = standing_poses(kCrowd);
-    engine::Framing framing(scene.camera, static_cast<float>(kWidth) / kHeight);
+    engine::Framing framing(scene.camera,
+                            static_cast<float>(kSize.width) / static_cast<float>(kSize.height));
     scene.camera = framing.follow(crowd, 0.0);
-    const auto one = picture_costs(renderer, scene, standing_poses(1), kWidth, kHeight);
-    const auto all = picture_costs(renderer, scene, crowd, kWidth, kHeight);
+    const auto one = picture_costs(renderer, scene, standing_poses(1), kSize);
+    const auto all = picture_costs(renderer, scene, crowd, kSize);
     if (!one || !all) {
         return fail(!one ? one.error() : all.error());
     }
-    return (spread_of(*all).p50 - spread_of(*one).p50) / (kCrowd - 1);
+    return (spread_of(all->drawing).p50 - spread_of(one->drawing).p50) / (kCrowd - 1);
 }
 
 // Cost of building the mannequin, of pictures in two sizes and their reading back, and of more
@@ -304,17 +288,14 @@ Expected<BenchReport> bench_render() {
     // Rings that are shown: confidence and a moment near a beat.
     scene.rings = render::beat_rings({.confidence = 1.0F}, stream_time_from_seconds(0.2));
     for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 360}}) {
-        const auto costs = picture_costs(*renderer, scene, standing_poses(1), width, height);
+        const auto costs = picture_costs(*renderer, scene, standing_poses(1), {width, height});
         if (!costs) {
             return fail(costs.error());
         }
-        const auto reading = reading_costs(*renderer, scene, standing_poses(1), width, height);
-        if (!reading) {
-            return fail(reading.error());
-        }
-        report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height), spread_of(*costs));
+        report.spreads.emplace_back(fmt::format("cpu_ms_{}x{}", width, height),
+                                    spread_of(costs->drawing));
         report.spreads.emplace_back(fmt::format("read_back_cpu_ms_{}x{}", width, height),
-                                    spread_of(*reading));
+                                    spread_of(costs->reading));
     }
     for (const std::string& name : engine::theme_names()) {
         const auto theme = engine::find_theme(name);
@@ -323,11 +304,11 @@ Expected<BenchReport> bench_render() {
         }
         render::Scene themed = scene;
         themed.theme = *theme;
-        const auto costs = picture_costs(*renderer, themed, standing_poses(1), 1280, 720);
+        const auto costs = picture_costs(*renderer, themed, standing_poses(1), {1280, 720});
         if (!costs) {
             return fail(costs.error());
         }
-        report.spreads.emplace_back("cpu_ms_of_" + name, spread_of(*costs));
+        report.spreads.emplace_back("cpu_ms_of_" + name, spread_of(costs->drawing));
     }
     report.values.emplace_back("mannequin_cpu_ms", avatar_ms);
     const auto each = cost_of_each_more(*renderer, scene);
