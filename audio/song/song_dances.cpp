@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "audio/genre/genre_model.hpp"
 #include "audio/genre/music_tagger.hpp"
@@ -25,12 +24,18 @@ constexpr float kLeastLog = -4.0F;
 constexpr float kSureBar = 0.6F;  // confidence of the beat grid
 // Hops that are silent in a row where a song ends: a hop is silent after 1.3 s without sound.
 constexpr std::size_t kSilentHopsAtEnd = 120;
-// Hops within which a section's begin is looked for around the step that was found.
-constexpr std::size_t kNearMetre = 300;
-constexpr std::size_t kNearBar = 200;
+// Hops within which a section's begin is looked for around the step that was found: what is said of
+// a class needs some seconds of music, which may be of both sections.
+constexpr std::size_t kNearChange = 740;  // two of them less than kLeastSteps
+// How much it speaks for a begin that sound begins again there, that another metre or beat begins,
+// that the tempo changes (of its logarithm, and at most), that a bar begins; in nats.
+constexpr double kBeginAtSilence = 8.0;
+constexpr double kBeginOfMetre = 3.0;
+constexpr double kBeginOfTempo = 40.0;
+constexpr double kMostOfTempo = 6.0;
+constexpr double kBeginOfBar = 0.5;
 // Hops by which what was said of a section may reach over its ends.
 constexpr std::size_t kOverEnd = 50;
-constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 using ClassSums = std::array<double, PatternNetwork::kMaxClasses>;
 
@@ -130,20 +135,12 @@ std::vector<std::size_t> ends_of_silences(std::span<const MusicState> states) {
     return ends;
 }
 
-// The one of these places that is nearest to a hop, if any is near.
-template <class Places>
-std::size_t nearest(const Places& places, std::size_t hop, std::size_t within) {
-    std::size_t best = hop;
-    std::size_t least = within + 1;
-    for (const std::size_t place : places) {
-        const std::size_t distance = place > hop ? place - hop : hop - place;
-        if (distance < least) {
-            least = distance;
-            best = place;
-        }
-    }
-    return least <= within ? best : kNowhere;
-}
+// A section of one class ends with a step, and one of another begins.
+struct ClassChange {
+    std::size_t step;
+    std::size_t before;
+    std::size_t after;
+};
 
 // The most likely path of classes, in which none lasts for less than kLeastSteps.
 class SectionPath {
@@ -166,8 +163,8 @@ class SectionPath {
         costs_[0] = 0.0;
     }
 
-    // The steps at which another section begins, without the first.
-    std::vector<std::size_t> changes() {
+    // Where another section begins, without the first.
+    std::vector<ClassChange> changes() {
         const std::size_t steps = evidence_.size();
         if (steps < 2 * kLeastSteps) {
             return {};
@@ -208,8 +205,8 @@ class SectionPath {
         }
     }
 
-    [[nodiscard]] std::vector<std::size_t> walk_back() const {
-        std::vector<std::size_t> changes;
+    [[nodiscard]] std::vector<ClassChange> walk_back() const {
+        std::vector<ClassChange> changes;
         std::size_t step = evidence_.size();
         std::size_t c = leader_[step];
         while (step > kLeastSteps) {
@@ -218,8 +215,8 @@ class SectionPath {
                 continue;
             }
             step -= kLeastSteps;
+            changes.push_back({step, leader_[step], c});
             c = leader_[step];
-            changes.push_back(step);
         }
         std::reverse(changes.begin(), changes.end());
         return changes;
@@ -244,57 +241,55 @@ double tempo_change(std::span<const SongBeat> beats, std::size_t at) {
     return before > 0.0 && after > 0.0 ? std::abs(std::log(after / before)) : 0.0;
 }
 
-// Places where a section can begin, by how clearly it does.
-struct Begins {
-    std::vector<std::size_t> silences;
-    std::vector<std::size_t> others;                    // another metre, or the beat begins anew
-    std::vector<std::pair<std::size_t, double>> tempi;  // where the tempo changes, and by how much
-    std::vector<std::size_t> bars;
+// A place where a section can begin, and how much speaks for it besides the classes.
+struct Begin {
+    std::size_t hop;
+    double gain;  // nats
 };
-Begins begins_of(const SongHeard& heard) {
-    constexpr double kOtherTempo = 0.05;
-    Begins begins{ends_of_silences(heard.states), {}, {}, {}};
+std::vector<Begin> begins_of(const SongHeard& heard, std::span<const std::size_t> silences) {
+    std::vector<Begin> begins;
+    for (const std::size_t silence : silences) {
+        begins.push_back({silence, kBeginAtSilence});
+    }
     for (std::size_t i = 1; i < heard.beats.size(); ++i) {
-        const std::size_t hop = hop_of(heard.beats[i].time);
-        const BarPlace& place = heard.beats[i].place;
-        if (heard.beats[i].is_restart ||
-            place.beats_per_bar != heard.beats[i - 1].place.beats_per_bar) {
-            begins.others.push_back(hop);
-        }
-        if (const double change = tempo_change(heard.beats, i); change > kOtherTempo) {
-            begins.tempi.emplace_back(hop, change);
-        }
-        if (place.position == 0) {
-            begins.bars.push_back(hop);
+        const SongBeat& beat = heard.beats[i];
+        const bool is_other =
+            beat.is_restart || beat.place.beats_per_bar != heard.beats[i - 1].place.beats_per_bar;
+        const double gain = (is_other ? kBeginOfMetre : 0.0) +
+                            (beat.place.position == 0 ? kBeginOfBar : 0.0) +
+                            std::min(kMostOfTempo, kBeginOfTempo * tempo_change(heard.beats, i));
+        if (gain > 0.0) {
+            begins.push_back({hop_of(beat.time), gain});
         }
     }
     return begins;
 }
 
-// Where the tempo changes most, if it changes near a hop.
-std::size_t tempo_change_near(std::size_t hop, const Begins& begins) {
-    std::size_t best = kNowhere;
-    double most = 0.0;
-    for (const auto& [place, change] : begins.tempi) {
-        const std::size_t distance = place > hop ? place - hop : hop - place;
-        if (distance <= kNearMetre && change > most) {
-            best = place;
-            most = change;
+// The place that is most likely by both: what is heard before and after it, and what begins there.
+std::size_t begin_of(const ClassChange& change,
+                     const StepEvidence& evidence,
+                     std::span<const Begin> begins) {
+    const std::size_t middle = change.step * kStep;
+    const std::size_t low = (middle - std::min(middle, kNearChange)) / kStep;
+    std::vector<double> gains = {0.0};  // of a change with step `low` and those after it
+    for (std::size_t step = low; step < evidence.size(); ++step) {
+        gains.push_back(gains.back() + evidence.of(step, change.before) -
+                        evidence.of(step, change.after));
+    }
+    std::size_t best = middle;
+    double most = gains[change.step - low];
+    for (const Begin& begin : begins) {
+        const bool is_near = begin.hop + kNearChange >= middle && begin.hop <= middle + kNearChange;
+        const std::size_t step = (begin.hop + kStep / 2) / kStep;
+        if (!is_near || step < low || step - low >= gains.size()) {
+            continue;
+        }
+        if (const double gain = gains[step - low] + begin.gain; gain > most) {
+            most = gain;
+            best = begin.hop;
         }
     }
     return best;
-}
-
-std::size_t begin_near(std::size_t hop, const Begins& begins) {
-    for (const std::size_t place : {nearest(begins.silences, hop, kNearMetre),
-                                    nearest(begins.others, hop, kNearMetre),
-                                    tempo_change_near(hop, begins),
-                                    nearest(begins.bars, hop, kNearBar)}) {
-        if (place != kNowhere) {
-            return place;
-        }
-    }
-    return hop;
 }
 
 // The metre of most of a stretch, where its beat is mostly sure.
@@ -366,11 +361,12 @@ std::vector<SongSection> find_sections(const SongHeard& heard,
         return {};
     }
     const std::size_t classes = genres.model().classes();
-    const Begins begins = begins_of(heard);
+    const std::vector<std::size_t> silences = ends_of_silences(heard.states);
+    const std::vector<Begin> begins = begins_of(heard, silences);
     std::vector<std::size_t> firsts = {0};
     const StepEvidence evidence(heard, genres);
-    for (const std::size_t step : SectionPath(evidence, classes, begins.silences).changes()) {
-        firsts.push_back(begin_near(step * kStep, begins));
+    for (const ClassChange& change : SectionPath(evidence, classes, silences).changes()) {
+        firsts.push_back(begin_of(change, evidence, begins));
     }
     firsts.push_back(heard.states.size());
     std::vector<SongSection> sections;
