@@ -36,6 +36,7 @@ struct DanceInfo {
     Bpm likely{120.0};                ///< typical tempo of its music
     int roles = 1;                    ///< 1, or 2: it has figures for couples
     std::string style;                ///< of the built-in music generator that fits it; empty: none
+    std::string dress;                ///< what the mannequin wears in it; empty: a unitard
     std::vector<std::string> labels;  ///< other names of its music in tables of clips
     std::string extends;  ///< the dance that its figures are added to; empty: a dance of its own
     /// Jerk of the people that it was learnt from, m/s^3, lead's and follow's; 0: a written dance,
@@ -92,8 +93,8 @@ struct DancesFile {
 
 /// Reads TOML: format = "raks-dances", version = 1, pair = ["A", "B"] and for each dance a
 /// [[dance]] with name, title, beats_per_bar (2 to 12), tempo = [lowest, highest] and likely_tempo
-/// (20 to 400 BPM), roles (1 or 2), style, labels, fallback (true or false), trials ("brief" or
-/// "full"), people_jerk_rms and people_jerk_p999 = [lead, follow]; or with extends = "DANCE".
+/// (20 to 400 BPM), roles (1 or 2), style, dress, labels, fallback (true or false), trials ("brief"
+/// or "full"), people_jerk_rms and people_jerk_p999 = [lead, follow]; or with extends = "DANCE".
 /// `styles`: the names that `style` may have; empty: any.
 /// Errors, one line with file and line: not TOML, another format, a newer version, unknown keys, a
 /// bad or repeated name, a metre or tempo out of range, a lowest tempo above the highest, an

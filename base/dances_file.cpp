@@ -76,13 +76,14 @@ class DancesReader {
             complaints_.complain(node, "a dance must be a [[dance]] table");
             return dance;
         }
-        constexpr std::array<std::string_view, 13> kKeys = {"name",
+        constexpr std::array<std::string_view, 14> kKeys = {"name",
                                                             "title",
                                                             "beats_per_bar",
                                                             "tempo",
                                                             "likely_tempo",
                                                             "roles",
                                                             "style",
+                                                            "dress",
                                                             "labels",
                                                             "trials",
                                                             "fallback",
@@ -122,6 +123,7 @@ class DancesReader {
             complaints_.complain(*table->get("trials"), "trials must be \"brief\" or \"full\"");
         }
         dance.trials = trials == "full" ? DanceInfo::Trials::full : DanceInfo::Trials::brief;
+        dance.dress = complaints_.text(*table, "dress");
         dance.style = complaints_.text(*table, "style");
         // Without a list of styles every name passes.
         const bool is_known =
@@ -235,6 +237,9 @@ std::string dance_text(const DanceInfo& dance) {
     // The keys below are written only where they differ from their default.
     if (!dance.style.empty()) {
         text += fmt::format("style = {}\n", toml_string(dance.style));
+    }
+    if (!dance.dress.empty()) {
+        text += fmt::format("dress = {}\n", toml_string(dance.dress));
     }
     if (!dance.labels.empty()) {
         text += fmt::format("labels = {}\n", list_text(dance.labels));

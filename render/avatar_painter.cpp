@@ -14,6 +14,7 @@ bool has_costume(const Scene& scene) noexcept { return scene.dress == Dress::dan
 
 AvatarPainter::AvatarPainter(const Avatar& avatar, const BodyPrograms& programs)
     : size_(size_of(avatar)),
+      style_(avatar.style),
       has_skin_(!avatar.vertices.empty()),
       skeleton_(avatar.skeleton),
       pelvis_drop_(avatar.pelvis_drop),

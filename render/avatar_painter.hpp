@@ -9,6 +9,7 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/body_painter.hpp"
+#include "render/model/mannequin_style.hpp"
 #include "render/renderer.hpp"
 #include "render/surface_painter.hpp"
 
@@ -25,6 +26,8 @@ class AvatarPainter {
     [[nodiscard]] bool warm_up(std::size_t step);
 
     [[nodiscard]] float size() const noexcept { return size_; }
+    /// How an outfit colours it.
+    [[nodiscard]] MannequinStyle style() const noexcept { return style_; }
     [[nodiscard]] const motion::Skeleton& skeleton() const noexcept { return skeleton_; }
     /// A pose of the body that dances are solved for, on its own.
     [[nodiscard]] motion::Pose own(const motion::Pose& pose) const noexcept;
@@ -49,6 +52,7 @@ class AvatarPainter {
     void prepare(std::size_t number);
 
     float size_;
+    MannequinStyle style_;
     bool has_skin_;
     motion::Skeleton skeleton_;
     float pelvis_drop_;

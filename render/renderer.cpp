@@ -203,7 +203,8 @@ void Renderer::Parts::upload_dresses(const Scene& scene, std::span<const Painted
         dresses.emplace_back();
     }
     for (std::size_t i = 0; i < dancers.size(); ++i) {
-        const DressColours colours = dress_colours(scene, dancers[i].outfit);
+        const DressColours colours =
+            dress_colours(scene, dancers[i].outfit, dancers[i].painter->style());
         glBindBuffer(GL_UNIFORM_BUFFER, dresses[i].name());
         glBufferData(GL_UNIFORM_BUFFER, sizeof(colours), &colours, GL_STREAM_DRAW);
     }

@@ -18,6 +18,7 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/told_genre.hpp"
 #include "engine/show/avatar_files.hpp"
+#include "engine/show/dress_by_dance.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -114,7 +115,8 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
     for (const std::string& note : look->notes) {
         say(note);
     }
-    const engine::AvatarOptions options = avatar_options(settings);
+    engine::AvatarOptions options = avatar_options(settings);
+    options.costume = look->costume;
     if (settings.avatars.size() > 1 && !options.labels.empty()) {
         return fail(
             "--labels says which nodes are the bones of one avatar, and there are several: save "
@@ -123,7 +125,8 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
     auto avatars = engine::load_avatars(settings.avatars, options);
     if (!avatars && may_be_gone(settings, &engine::Settings::avatars)) {
         say(avatars.error().message + "; the mannequin dances instead");
-        avatars = engine::load_avatars({std::string(engine::kMannequinName)});
+        avatars = engine::load_avatars({std::string(engine::kMannequinName)},
+                                       {.height = {}, .labels = {}, .costume = look->costume});
     }
     if (!avatars) {
         return fail(std::move(avatars.error()));
@@ -186,6 +189,9 @@ Expected<DanceSetup> read_dances(engine::Settings& settings, const motion::Skele
         return fail(std::move(checked.error()));
     }
     for (const std::string& note : engine::material_notes(settings, *catalogue)) {
+        say(note);
+    }
+    for (const std::string& note : engine::dress_notes(*catalogue->list())) {
         say(note);
     }
     for (const std::string& note : engine::hold_notes(settings, *catalogue)) {

@@ -167,7 +167,7 @@ ExitCode sheet(const SheetArguments& given) {
     if (!is_sheet) {
         arguments.settings.fps = said_film_fps(arguments.settings);
     }
-    const auto look = open_look(arguments.settings);
+    auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
     }
@@ -185,6 +185,7 @@ ExitCode sheet(const SheetArguments& given) {
     }
     const engine::Settings& settings = arguments.settings;
     const std::string dance = engine::dance_to_load(settings, setup->catalogue);
+    engine::dress_for(*setup->catalogue.list(), dance, *look);
     const auto library = engine::load_dance(setup->catalogue,
                                             dance,
                                             setup->skeleton,

@@ -126,6 +126,7 @@ Expected<void> StageLoop::open_pictures(std::optional<OpenedWindow> opened) {
     // Until it is solved for the avatar, the dance is retargeted.
     formations_->ask_for_bodies(engine::dance_bodies_of(opened->look.avatars));
     const bool is_transparent = opened->look.scene.backdrop == render::Backdrop::transparent;
+    dress_.emplace(opened->look);
     window_.emplace(std::move(opened->window));
     // The quality that the renderer chose by itself.
     if (const std::string notice(window_->notice()); !notice.empty()) {
@@ -156,7 +157,15 @@ Expected<void> StageLoop::open_studio() {
     if (!drawing) {
         return fail(drawing.error());
     }
-    studio_.emplace(Studio{std::move(*context), std::move(*drawing), look->scene, look->camera});
+    studio_.emplace(Studio{std::move(*context),
+                           std::move(*drawing),
+                           look->scene,
+                           look->camera,
+                           engine::AvatarChange(look->avatars, look->costume)});
+    if (look->partners == engine::Partners::first) {
+        studio_->avatar_change.add_partners();
+    }
+    dress_.emplace(*look);
     return {};
 }
 
@@ -318,9 +327,27 @@ void StageLoop::run_headless() {
 
 void StageLoop::draw_headless() {
     if (studio_) {
+        change_clothes();
+        // The mannequin's own clothes always load.
+        static_cast<void>(studio_->avatar_change.go_on(studio_->drawing));
         const render::Camera preset = framed(
             engine::camera_for(engine::preset_of(studio_->camera), studio_->drawing.bodies.size()));
         draw_elsewhere({studio_->drawing, studio_->scene, {studio_->camera, preset}});
+    }
+}
+
+/// Once a picture: where the dance chooses what the mannequin wears.
+void StageLoop::change_clothes() {
+    const engine::ShownMoment shown =
+        shown_moment(graph_->stage(), graph_->moment_at(HostClock::now()));
+    const auto costume = dress_->next(shown, *dances_);
+    if (!costume) {
+        return;
+    }
+    if (window_) {
+        window_->dress(*costume);
+    } else {
+        studio_->avatar_change.dress(*costume);
     }
 }
 
@@ -473,6 +500,7 @@ void StageLoop::say_told_dance() {
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
     formations_->ask_for_bodies(picture.bodies.dance_bodies());
+    change_clothes();
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
     const engine::ShownMoment danced = shown_moment(stage, moment);

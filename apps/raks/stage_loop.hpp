@@ -25,7 +25,9 @@
 #include "engine/live/live_graph.hpp"
 #include "engine/outputs/outputs.hpp"
 #include "engine/setup/formations.hpp"
+#include "engine/show/avatar_change.hpp"
 #include "engine/show/clip_performance.hpp"
+#include "engine/show/dress_by_dance.hpp"
 #include "engine/show/staging.hpp"
 #include "engine/show/window_loop.hpp"
 #include "render/gl/offscreen.hpp"
@@ -171,6 +173,7 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] StageEnd run_until_end(engine::LiveGraph& graph);
     void run_headless();
     void draw_headless();
+    void change_clothes();
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void describe_silence(const engine::StageState& stage, render::OverlayState& overlay);
     [[nodiscard]] DanceChoice::Dancers dancers();
@@ -198,11 +201,13 @@ class StageLoop final : private engine::WindowContent {
         engine::Drawing drawing;
         render::Scene scene;
         std::string camera;
+        engine::AvatarChange avatar_change;
     };
     std::optional<Studio> studio_;
     std::optional<engine::WindowLoop> window_;
-    std::unique_ptr<VideoShow> video_;  // needs the context of one of both
-    ShowRecording recording_;           // likewise
+    std::unique_ptr<VideoShow> video_;           // needs the context of one of both
+    ShowRecording recording_;                    // likewise
+    std::optional<engine::DressByDance> dress_;  // where avatars are drawn
     bool has_finished_ = false;
     engine::Staging staging_;
     engine::LiveActions live_actions_;

@@ -51,7 +51,7 @@ struct Settings {
     std::string backdrop = "stage";    ///< stage, transparent, or a key colour: #RRGGBB
     bool shadow = true;                ///< dancers throw one on the floor
     bool rings = true;                 ///< rings of light on the floor show the beat
-    std::string dress = "dancer";      ///< of painted bodies: dancer or mannequin
+    std::string dress = "auto";        ///< of the mannequin: auto, mannequin or a costume
     std::string camera = "director";   ///< or a preset: wide, portrait, front or side
     bool calm = false;                 ///< fewer cuts; light changes slowly, little, with no accent
     std::string size = "1280x720";     ///< WIDTHxHEIGHT

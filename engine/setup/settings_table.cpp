@@ -202,11 +202,14 @@ const std::array kRows = std::to_array<SettingRow>({
     {.section = "picture",
      .name = "dress",
      .field = &Settings::dress,
-     .words = Words("dancer", "mannequin"),
-     .help = "what the mannequin wears, in every theme: dancer or mannequin",
+     .words = Words("auto", "dancer", "street", "oriental", "ballroom", "mannequin"),
+     .help = "what the mannequin wears: auto (by the dance), dancer, street, oriental, ballroom or "
+             "mannequin",
      .option = {"--dress", kShows | kSheet},
-     .manual = "what the mannequin wears, in every theme: `dancer`, or `mannequin`: nothing but "
-               "bands at its joints"},
+     .manual = "what the mannequin wears, in the theme's colours: `auto`, what the dance asks for "
+               "(`dress` in [dances.toml](files.md)); `dancer`: a unitard, with a skirt; `street`: "
+               "hoodie, wide trousers, sneakers; `oriental`: bare midriff, full trousers, a scarf; "
+               "`ballroom`: gown and tailcoat; `mannequin`: nothing but bands at its joints"},
     {.section = "picture",
      .name = "camera",
      .field = &Settings::camera,

@@ -7,6 +7,7 @@
 #include "base/expected.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/import/humanoid_labels.hpp"
+#include "render/model/mannequin_style.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::engine {
@@ -17,6 +18,8 @@ struct AvatarOptions {
     std::optional<float> height;
     /// A label file (render::BoneLabels); empty: the one beside the model, if there is one.
     std::filesystem::path labels;
+    /// What the mannequin wears.
+    render::Costume costume = render::Costume::unitard;
 };
 
 /// Reads a label file. Errors: those of the file and of render::read_bone_labels. Threads: workers.

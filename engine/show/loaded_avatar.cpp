@@ -74,8 +74,9 @@ std::vector<std::string> credits_of(const std::vector<LoadedAvatar>& avatars) {
     return credits;
 }
 
-LoadedAvatar mannequin() {
-    return {.avatar = std::make_shared<render::Avatar>(render::build_mannequin()),
+LoadedAvatar mannequin(render::Costume costume) {
+    return {.avatar = std::make_shared<render::Avatar>(
+                render::build_mannequin({render::MannequinBuild::follow, costume})),
             .name = std::string(kMannequinName),
             .credit = {},
             .is_credit_required = false,
@@ -83,8 +84,20 @@ LoadedAvatar mannequin() {
             .is_mannequin = true};
 }
 
-std::shared_ptr<const render::Avatar> mannequin_partner() {
-    return std::make_shared<render::Avatar>(render::build_mannequin(render::MannequinBuild::lead));
+std::shared_ptr<const render::Avatar> mannequin_partner(render::Costume costume) {
+    return std::make_shared<render::Avatar>(
+        render::build_mannequin({render::MannequinBuild::lead, costume}));
+}
+
+std::vector<LoadedAvatar> dressed(std::vector<LoadedAvatar> avatars, render::Costume costume) {
+    std::shared_ptr<const render::Avatar> made;
+    for (LoadedAvatar& avatar : avatars) {
+        if (avatar.is_mannequin && avatar.avatar->style.costume != costume) {
+            made = made == nullptr ? mannequin(costume).avatar : made;
+            avatar.avatar = made;
+        }
+    }
+    return avatars;
 }
 
 LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file) {
@@ -108,7 +121,7 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions&
         return fail(path.error());
     }
     if (path->empty()) {
-        return mannequin();
+        return mannequin(options.costume);
     }
     Expected<AvatarModel> figure = load_avatar_model(*path, options);
     if (!figure) {
@@ -154,7 +167,7 @@ std::vector<motion::Skeleton> dance_bodies_of(const std::vector<LoadedAvatar>& a
     return bodies;
 }
 
-Costumes costumes_of(const std::vector<LoadedAvatar>& avatars) {
+Costumes costumes_of(const std::vector<LoadedAvatar>& avatars, Partners partners) {
     Costumes costumes;
     const auto index_of = [&costumes](const std::shared_ptr<const render::Avatar>& body) {
         auto& bodies = costumes.bodies;
@@ -169,8 +182,8 @@ Costumes costumes_of(const std::vector<LoadedAvatar>& avatars) {
     for (const LoadedAvatar& avatar : avatars) {
         std::vector<std::size_t>& builds = costumes.builds.emplace_back();
         builds.push_back(index_of(avatar.avatar));
-        if (avatar.is_mannequin) {
-            lead = lead == nullptr ? mannequin_partner() : lead;
+        if (avatar.is_mannequin && partners == Partners::all) {
+            lead = lead == nullptr ? mannequin_partner(avatar.avatar->style.costume) : lead;
             builds.push_back(index_of(lead));
         }
     }

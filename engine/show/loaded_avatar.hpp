@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "base/expected.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/model/mannequin_style.hpp"
 
 namespace raks::render {
 struct Avatar;
@@ -34,9 +36,14 @@ struct LoadedAvatar {
 [[nodiscard]] std::vector<std::string> credits_of(const std::vector<LoadedAvatar>& avatars);
 
 /// The avatar that comes with Raks.
-[[nodiscard]] LoadedAvatar mannequin();
+[[nodiscard]] LoadedAvatar mannequin(render::Costume costume = render::Costume::unitard);
 /// The body of its lead, where dancers differ (DancerBodies::Builds).
-[[nodiscard]] std::shared_ptr<const render::Avatar> mannequin_partner();
+[[nodiscard]] std::shared_ptr<const render::Avatar> mannequin_partner(
+    render::Costume costume = render::Costume::unitard);
+
+/// The same avatars, the mannequins among them in this costume. Threads: workers. Real-time: no.
+[[nodiscard]] std::vector<LoadedAvatar> dressed(std::vector<LoadedAvatar> avatars,
+                                                render::Costume costume);
 
 /// The avatar of a figure. `file`: its name, for the credit where the model has no title. What its
 /// images lack is a warning; the model's own warnings are taken over. Threads: workers.
@@ -67,7 +74,13 @@ struct Costumes {
     /// Of avatar k: which of `bodies`.
     std::vector<std::vector<std::size_t>> builds;
 };
+/// Who is seen of those whose dancers differ.
+enum class Partners : std::uint8_t {
+    all,    ///< leads and follows
+    first,  ///< one dancer alone: the other body is not made
+};
 /// Of avatars that are loaded, at least one. Threads: workers. Real-time: no.
-[[nodiscard]] Costumes costumes_of(const std::vector<LoadedAvatar>& avatars);
+[[nodiscard]] Costumes costumes_of(const std::vector<LoadedAvatar>& avatars,
+                                   Partners partners = Partners::all);
 
 }  // namespace raks::engine

@@ -37,11 +37,16 @@ Expected<Look> read_look(const Settings& settings) {
     look.scene.camera = preset_of(settings.camera);
     // zoom() multiplies the camera's distance.
     look.scene.camera.zoom(distance_for(name_of(asked_formation(settings))));
+    const bool is_alone = name_of(asked_formation(settings)) == "solo" && settings.dancers <= 1;
+    look.partners = is_alone ? Partners::first : Partners::all;
     look.camera = settings.camera;
     look.seed = static_cast<std::uint64_t>(settings.seed);
     look.liveliness = settings.calm ? render::Liveliness::calm : render::Liveliness::usual;
     look.scene.dress =
         settings.dress == "mannequin" ? render::Dress::mannequin : render::Dress::dancer;
+    look.dresses_by_dance = settings.dress == "auto";
+    look.costume = render::find_costume(settings.dress).value_or(render::Costume::unitard);
+    look.dance = settings.dance == "auto" ? std::string() : settings.dance;
     const auto backdrop = parse_backdrop(settings.backdrop);
     if (!backdrop) {
         return fail(backdrop.error());

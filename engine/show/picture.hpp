@@ -10,6 +10,7 @@
 #include "engine/show/dancer_face.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/staging.hpp"
+#include "render/model/mannequin_style.hpp"
 #include "render/renderer.hpp"
 #include "render/scene/scene.hpp"
 
@@ -25,7 +26,12 @@ struct Look {
     PictureSize size;                   ///< of the window or film, in pixels
     FaceHabits face;                    ///< what faces do by themselves
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
-    std::vector<std::string> notes;     ///< a line for each setting that could not be had
+    Partners partners = Partners::all;  ///< who is seen in the first picture
+    bool dresses_by_dance = false;      ///< the dance chooses what the mannequin wears
+    std::string dance;                  ///< that is asked for; empty: any
+    /// What the mannequin wears, to begin with where the dance chooses it.
+    render::Costume costume = render::Costume::unitard;
+    std::vector<std::string> notes;  ///< a line for each setting that could not be had
 };
 
 /// What the settings say of faces. Pure.

@@ -21,12 +21,27 @@ render::Camera audience(render::Camera camera) noexcept {
     return camera;
 }
 
+/// What dancers wear once the renderer has all bodies.
+Expected<DancerBodies::Wardrobe> add_all(const Costumes& costumes, render::Renderer& renderer) {
+    DancerBodies::Builds added;
+    for (const std::shared_ptr<const render::Avatar>& body : costumes.bodies) {
+        const auto handle = renderer.add(*body);
+        if (!handle) {
+            return fail(handle.error());
+        }
+        added.push_back({*handle, body});
+    }
+    return wardrobe_of(costumes, added);
+}
+
 }  // namespace
 
 Expected<Drawing> create_drawing(const Look& look) {
     // Bodies that are not loaded yet are made while the shaders are compiled.
-    auto making = std::async(std::launch::async, [avatars = look.avatars] {
-        return costumes_of(avatars.empty() ? std::vector<LoadedAvatar>{mannequin()} : avatars);
+    auto making = std::async(std::launch::async, [&look] {
+        return costumes_of(look.avatars.empty() ? std::vector<LoadedAvatar>{mannequin(look.costume)}
+                                                : look.avatars,
+                           look.partners);
     });
     auto renderer = render::Renderer::create({.quality = look.quality});
     if (!renderer) {
@@ -36,19 +51,27 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    const Costumes costumes = making.get();
-    DancerBodies::Builds added;
-    for (const std::shared_ptr<const render::Avatar>& body : costumes.bodies) {
-        const auto handle = renderer->add(*body);
-        if (!handle) {
-            return fail(handle.error());
-        }
-        added.push_back({*handle, body});
+    auto wardrobe = add_all(making.get(), *renderer);
+    if (!wardrobe) {
+        return fail(wardrobe.error());
     }
-    return Drawing{
-        std::move(*renderer),
-        DancerBodies(wardrobe_of(costumes, added), motion::mannequin_skeleton(), look.face),
-        std::move(*overlay)};
+    return Drawing{std::move(*renderer),
+                   DancerBodies(std::move(*wardrobe), motion::mannequin_skeleton(), look.face),
+                   std::move(*overlay)};
+}
+
+Expected<void> wear_at_once(const std::vector<LoadedAvatar>& avatars,
+                            Partners partners,
+                            Drawing& drawing) {
+    auto wardrobe = add_all(costumes_of(avatars, partners), drawing.renderer);
+    if (!wardrobe) {
+        return fail(wardrobe.error());
+    }
+    const auto before = drawing.bodies.wear(std::move(*wardrobe));
+    for (const render::AvatarHandle worn : handles_of(before)) {
+        drawing.renderer.remove(worn);
+    }
+    return {};
 }
 
 Expected<Show> Show::create(const Look& look,
@@ -71,6 +94,9 @@ Show::Show(const Look& look,
       staging_(look.seed, look.liveliness),
       camera_name_(look.camera),
       drawing_(std::move(drawing)),
+      avatars_(look.avatars),
+      partners_(look.partners),
+      dress_(look),
       overlay_view_(has_overlay ? render::OverlayView::shown : render::OverlayView::hidden) {
     staging_.set_picture(static_cast<float>(look.size.width) / static_cast<float>(look.size.height),
                          drawing_.bodies.size());
@@ -80,6 +106,11 @@ void Show::draw(const ShownMoment& shown,
                 render::OverlayState info,
                 const render::FrameTarget& target) {
     const DancedMoment& danced = shown.danced;
+    if (const auto costume = dress_.next(shown, *dances_)) {
+        avatars_ = dressed(std::move(avatars_), *costume);
+        // A driver that has taken the clothes before takes these.
+        static_cast<void>(wear_at_once(avatars_, partners_, drawing_));
+    }
     staging_.set(scene_,
                  {.name = camera_name_, .preset = preset_},
                  {.time = danced.moment, .lead = danced.lead},

@@ -8,7 +8,10 @@
 #include "base/expected.hpp"
 #include "base/music_state.hpp"
 #include "engine/show/dancer_bodies.hpp"
+#include "engine/show/dress_by_dance.hpp"
+#include "engine/show/loaded_avatar.hpp"
 #include "engine/show/picture.hpp"
+#include "engine/show/shown_moment.hpp"
 #include "engine/show/staging.hpp"
 #include "motion/dancer.hpp"
 #include "render/gl/frame_target.hpp"
@@ -16,13 +19,6 @@
 #include "render/renderer.hpp"
 
 namespace raks::engine {
-
-/// One moment of the dance, as a picture is to show it.
-struct ShownMoment {
-    const MusicState& music;             ///< the state that the overlay describes
-    const motion::DancerStatus& dancer;  ///< of the first dancer
-    DancedMoment danced;                 ///< what is seen
-};
 
 /// What every picture is drawn with.
 struct Drawing {
@@ -32,6 +28,12 @@ struct Drawing {
 };
 /// Makes both. An OpenGL context must be current. Errors: the driver refuses.
 [[nodiscard]] Expected<Drawing> create_drawing(const Look& look);
+
+/// The dancers wear these avatars, at least one, at once: for pictures that wait for it. Errors:
+/// the driver refuses; they keep what they wear.
+[[nodiscard]] Expected<void> wear_at_once(const std::vector<LoadedAvatar>& avatars,
+                                          Partners partners,
+                                          Drawing& drawing);
 
 /// Draws the stage and the dancers; rings on the floor show the beat.
 void draw_moment(const ShownMoment& shown,
@@ -75,6 +77,9 @@ class Show {
     Staging staging_;
     std::string camera_name_;
     Drawing drawing_;
+    std::vector<LoadedAvatar> avatars_;  // that are worn
+    Partners partners_;
+    DressByDance dress_;
     render::OverlayView overlay_view_;
 };
 

@@ -98,6 +98,8 @@ WindowLoop::WindowLoop(render::Window window,
       scene_(look.scene),
       camera_name_(look.camera),
       avatar_name_(look.avatars.empty() ? kMannequinName : look.avatars.front().name),
+      avatar_change_(look.avatars, look.costume),
+      lacks_partners_(look.partners == Partners::first),
       overlay_view_(options_.cards == Cards::shown ? render::OverlayView::shown
                                                    : render::OverlayView::hidden) {}
 
@@ -115,6 +117,9 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         content.draw_elsewhere(
             {drawing_, scene_, {camera_name_, preset(content), is_camera_held_}, nullptr});
         draw(content);
+        if (std::exchange(lacks_partners_, false)) {
+            avatar_change_.add_partners();
+        }
         // Checked after the picture, so that a screenshot asked for with the last key is still
         // taken.
         if (options_.is_stop_requested() || window_.should_close() || wants_to_quit_) {

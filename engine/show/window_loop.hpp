@@ -128,6 +128,8 @@ class WindowLoop {
 
     /// Models are worn by the dancers in turn as soon as they are loaded; at most kMostAvatars.
     void wear(std::vector<std::string> models);
+    /// What mannequins among the dancers wear as soon as it is made.
+    void dress(render::Costume costume) { avatar_change_.dress(costume); }
     /// Opens a list over the picture at a page of it; closes it where that page is open already.
     /// `offer` is asked for only where it is opened.
     void toggle_list(std::string_view name,
@@ -211,6 +213,7 @@ class WindowLoop {
     bool is_from_above_ = false;   // steeper than the preset, which shows a dancer's face
     std::string avatar_name_;      // as LoadedAvatar::name, of the first of those asked for last
     AvatarChange avatar_change_;
+    bool lacks_partners_;  // until the first picture is seen
     std::vector<std::string> chosen_avatars_;
     render::OverlayView overlay_view_;
     bool is_clean_ = false;  // nothing but the picture, whatever else is to be shown

@@ -15,6 +15,7 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/surface.hpp"
+#include "render/model/mannequin_style.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -129,6 +130,7 @@ struct Avatar {
     std::array<glm::mat4, kPaletteSize> inverse_bind{};  ///< joint from world, in the bind pose
     std::array<HelperJoint, kHelperCount> helpers{};
     std::string licence;  ///< SPDX identifier
+    MannequinStyle style;  ///< says how an outfit colours the skin and what is worn over it
 };
 
 /// Its size against the mannequin's, for cameras and shadows: the ratio of the heights of the

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/mannequin/build_shape.hpp"
+#include "render/mannequin/costume_shape.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -251,8 +252,8 @@ void BodyField::enclose(SolidGroup& group) noexcept {
     }
 }
 
-void BodyField::add(const Primitive& primitive, const BindFrames& frames, MannequinBuild build) {
-    std::optional<ShapedPrimitive> made = shaped(primitive, build);
+void BodyField::add(const Primitive& primitive, const BindFrames& frames, MannequinStyle style) {
+    std::optional<ShapedPrimitive> made = shaped(primitive, style);
     if (!made) {
         return;
     }
@@ -263,12 +264,16 @@ void BodyField::add(const Primitive& primitive, const BindFrames& frames, Manneq
         prepare(made->primitive, frames));
 }
 
-BodyField::BodyField(const BindFrames& frames, MannequinBuild build) {
+BodyField::BodyField(const BindFrames& frames, MannequinStyle style)
+    : has_arch_(has_arch(style.costume)) {
     for (const auto part :
          {trunk_primitives(), head_primitives(), leg_primitives(), arm_primitives()}) {
         for (const Primitive& primitive : part) {
-            add(primitive, frames, build);
+            add(primitive, frames, style);
         }
+    }
+    for (const Primitive& primitive : costume_primitives(style.costume)) {
+        add(primitive, frames, style);
     }
     for (SolidGroup& group : groups_) {
         enclose(group);
@@ -339,8 +344,8 @@ float BodyField::leg(glm::vec3 p) const noexcept {
     }
     // Height over the sole's underside; the smooth maximum cuts the foot off below it.
     const glm::vec3 from_sole = p - sole_point_;
-    const float below_sole =
-        sole_height(glm::dot(from_sole, foot_forward_)) - glm::dot(from_sole, sole_normal_);
+    const float below_sole = (has_arch_ ? sole_height(glm::dot(from_sole, foot_forward_)) : 0.0F) -
+                             glm::dot(from_sole, sole_normal_);
     return smooth_max(fold(Group::leg, p, kNothing), below_sole, kSoleBlend);
 }
 

@@ -8,7 +8,7 @@
 #include "base/smooth_steps.hpp"
 #include "render/mannequin/bind_pose.hpp"
 #include "render/mannequin/body_primitives.hpp"
-#include "render/mannequin/mannequin.hpp"
+#include "render/model/mannequin_style.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -43,7 +43,7 @@ struct PreparedLoft {
 /// `core`, `leg`, `arm`, `finger` as numbers beyond 5 cm.
 class BodyField {
  public:
-    explicit BodyField(const BindFrames& frames, MannequinBuild build = MannequinBuild::follow);
+    explicit BodyField(const BindFrames& frames, MannequinStyle style = {});
 
     /// Skin. About 0.3 us. Threads: any.
     [[nodiscard]] float distance(glm::vec3 p) const noexcept;
@@ -70,7 +70,7 @@ class BodyField {
         float sphere_radius = 0.0F;
     };
 
-    void add(const Primitive& primitive, const BindFrames& frames, MannequinBuild build);
+    void add(const Primitive& primitive, const BindFrames& frames, MannequinStyle style);
     static Solid prepare(const Primitive& primitive, const BindFrames& frames);
     static void enclose(SolidGroup& group) noexcept;
     static float solid_distance(const Solid& solid, glm::vec3 p) noexcept;
@@ -85,6 +85,7 @@ class BodyField {
     glm::vec3 sole_point_{};
     glm::vec3 sole_normal_{};
     glm::vec3 foot_forward_{};
+    bool has_arch_;  // under the shoe
 };
 
 /// The underside of the dance shoe: flat at heel and ball, arched between. All in the T-pose,

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+
+#include "render/mannequin/costume_shape.hpp"
 
 namespace raks::render {
 namespace {
@@ -81,9 +84,8 @@ void widen(const Girth& girth, ShapedPrimitive& made) {
     }
 }
 
-}  // namespace
-
-std::optional<ShapedPrimitive> shaped(const Primitive& primitive, MannequinBuild build) {
+/// In a unitard.
+std::optional<ShapedPrimitive> built(const Primitive& primitive, MannequinBuild build) {
     ShapedPrimitive made{primitive, {}};
     if (build == MannequinBuild::follow) {
         return made;
@@ -107,6 +109,13 @@ std::optional<ShapedPrimitive> shaped(const Primitive& primitive, MannequinBuild
         widen(*girth, made);
     }
     return made;
+}
+
+}  // namespace
+
+std::optional<ShapedPrimitive> shaped(const Primitive& primitive, MannequinStyle style) {
+    std::optional<ShapedPrimitive> made = built(primitive, style.build);
+    return made ? dressed(std::move(*made), style) : std::nullopt;
 }
 
 }  // namespace raks::render

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/mannequin/body_primitives.hpp"
-#include "render/mannequin/mannequin.hpp"
+#include "render/model/mannequin_style.hpp"
 
 namespace raks::render {
 
@@ -16,8 +16,9 @@ struct ShapedPrimitive {
     std::vector<Station> stations;
 };
 
-/// The solid of a build; none where the build lacks it. The tables give the follow's.
+/// The solid of a build in its costume; none where it lacks it. The tables give the follow's in a
+/// unitard.
 [[nodiscard]] std::optional<ShapedPrimitive> shaped(const Primitive& primitive,
-                                                    MannequinBuild build);
+                                                    MannequinStyle style);
 
 }  // namespace raks::render

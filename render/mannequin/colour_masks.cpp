@@ -6,6 +6,7 @@
 
 #include "base/smooth_steps.hpp"
 #include "render/mannequin/body_field.hpp"
+#include "render/mannequin/costume_shape.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,6 +21,8 @@ constexpr glm::vec3 kEar{0.0765F, 1.5870F, -0.0130F};  // as in head_primitives.
 constexpr float kHipHeight = 0.86F;     // metres: above, the trunk's rules hold; below, the leg's
 constexpr float kAnkleZ = -0.022F;      // of the foot bone in T-pose
 constexpr float kAnkleHeight = 0.078F;  // of the foot bone over the sole
+constexpr float kFlatSole = 0.024F;     // metres that a sole without a heel is high
+constexpr float kStripeEdge = 0.2F * kMaskRange;  // as in materials.glsl
 
 /// Linear interpolation.
 float mix(float a, float b, float t) noexcept { return a + (b - a) * t; }
@@ -44,14 +47,24 @@ float between(
                     glm::dot(to - p, glm::normalize(n_to)));
 }
 
+/// Where the leg of tights or trousers ends, metres below the knee: tights and trousers that are
+/// tied above the ankle, others on the shoe.
+float leg_length(MannequinStyle style) noexcept {
+    if (style.costume == Costume::oriental) {
+        return 0.355F;
+    }
+    const bool is_wide = style.costume == Costume::street || style.build == MannequinBuild::lead;
+    return is_wide ? 0.372F : 0.335F;
+}
+
 }  // namespace
 
 ColourMasks::ColourMasks(const BodyField& field,
                          const BindFrames& frames,
-                         MannequinBuild build) noexcept
+                         MannequinStyle style) noexcept
     : field_(field),
-      // Tights end above the ankle, trousers on the shoe.
-      below_knee_(build == MannequinBuild::lead ? 0.372F : 0.335F),
+      style_(style),
+      below_knee_(leg_length(style)),
       shoulder_(frames.joint(Bone::left_upper_arm)),
       elbow_(frames.joint(Bone::left_lower_arm)),
       wrist_(frames.joint(Bone::left_hand)),
@@ -74,14 +87,39 @@ float ColourMasks::neckline(glm::vec3 p) noexcept {
     return std::min(-inside, 1.452F - p.y + 0.3F * p.x);
 }
 
-/// A cap sleeve: its edge runs round the arm where arm and trunk are apart.
-float ColourMasks::sleeve(glm::vec3 p) const noexcept {
-    constexpr float kLength = 0.088F;
+/// A collar: round the neck, higher behind than in front.
+float ColourMasks::collar(glm::vec3 p) noexcept {
+    return 1.446F - p.y - 0.30F * (p.z + 0.03F) + 0.15F * p.x;
+}
+
+/// Grows where the arm is farther than the rest of the body: there it wins over a plane across the
+/// arm, which goes on through the trunk.
+float ColourMasks::off_arm(glm::vec3 p) const noexcept {
     const float other = std::min(field_.core(p), field_.leg(p));
-    // Off the arm the growing term wins over the plane, which goes on through the trunk.
-    const float off_arm = std::max(0.0F, field_.arm(p) - other - 0.004F);
+    const float off = std::max(0.0F, field_.arm(p) - other - 0.004F);
+    return 1.6F * off + 300.0F * off * off;
+}
+
+/// Positive where trunk or leg is nearer than the arm: what hangs beside them is not meant.
+float ColourMasks::beside_arm(glm::vec3 p) const noexcept {
+    return 20.0F * (field_.arm(p) - std::min(field_.core(p), field_.leg(p)));
+}
+
+/// Its edge runs round the arm where arm and trunk are apart, `length` metres from the shoulder.
+float ColourMasks::cap_sleeve(glm::vec3 p, float length) const noexcept {
     const glm::vec3 along = glm::normalize(along_upper_arm_ + glm::vec3{0.10F, 0.0F, 0.0F});
-    return kLength - glm::dot(p - shoulder_, along) + 1.6F * off_arm + 300.0F * off_arm * off_arm;
+    return length - glm::dot(p - shoulder_, along) + off_arm(p);
+}
+
+/// Of what has no sleeve: the edge runs where the arm grows out of the trunk.
+float ColourMasks::armhole(glm::vec3 p) const noexcept {
+    constexpr float kOntoArm = 0.010F;
+    return 0.5F * (field_.arm(p) - field_.core(p)) + kOntoArm;
+}
+
+/// Its edge runs round the forearm, so many metres from the elbow.
+float ColourMasks::long_sleeve(glm::vec3 p, float along_forearm) const noexcept {
+    return glm::dot(elbow_ + along_forearm * along_forearm_ - p, along_forearm_) + off_arm(p);
 }
 
 /// End of the trouser leg: a plane across the shank; above the knee always inside.
@@ -157,25 +195,83 @@ float ColourMasks::bands(glm::vec3 p) const noexcept {
     return std::max({limbs, std::min(waist, arm_beside_waist), neck});
 }
 
+float ColourMasks::unitard(glm::vec3 p) const noexcept {
+    constexpr float kLength = 0.088F;
+    return std::min({neckline(p), cap_sleeve(p, kLength), leg_end(p)});
+}
+
+/// Hoodie or coat, and trousers.
+float ColourMasks::sleeved(glm::vec3 p) const noexcept {
+    const float sleeve = style_.costume == Costume::street ? 0.228F : 0.203F;
+    return std::min({collar(p), long_sleeve(p, sleeve), leg_end(p)});
+}
+
+/// A top without sleeves, and trousers from the hips down.
+float ColourMasks::two_pieces(glm::vec3 p) const noexcept {
+    const float top = std::min({neckline(p), armhole(p), p.y - 1.178F});
+    const float waist = 0.936F - p.y - 0.20F * p.z;
+    return std::max(top, std::min({waist, leg_end(p), beside_arm(p)}));
+}
+
+float ColourMasks::suit(glm::vec3 p) const noexcept {
+    switch (style_.costume) {
+        case Costume::unitard:
+            return unitard(p);
+        case Costume::street:
+            return sleeved(p);
+        case Costume::oriental:
+            return two_pieces(p);
+        case Costume::ballroom:
+            break;
+    }
+    return style_.build == MannequinBuild::lead ? sleeved(p)
+                                                : std::min({neckline(p), armhole(p), leg_end(p)});
+}
+
+/// What is of another cloth than the rest of the suit: the trousers under a hoodie; the shirt that
+/// a coat shows.
+float ColourMasks::second_cloth(glm::vec3 p) const noexcept {
+    if (style_.costume == Costume::street) {
+        return std::min(0.846F - p.y, beside_arm(p));
+    }
+    if (style_.costume == Costume::ballroom && style_.build == MannequinBuild::lead) {
+        // A wedge from the waist to the shoulders, and a band round the neck.
+        const float front =
+            std::min({0.006F + 0.19F * (p.y - 1.06F) - p.x, p.z + 0.01F, p.y - 1.06F});
+        return std::max(front, p.y + 0.30F * (p.z + 0.03F) - 1.418F);
+    }
+    return -kMaskRange;
+}
+
 std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
     const glm::vec3 off_leg = from_leg_line(p);
     // The shoe is given in the foot's own frame, which is turned in the bind pose.
     const glm::vec3 foot = foot_from_world_ * (p - ankle_);
-    const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
-    const float shoe_edge = shoe(foot);
+    const bool has_shoes = style_.costume != Costume::oriental;
+    // Of a sneaker it is under the trousers.
+    const float below_ankle = 0.125F - (foot.y + kAnkleHeight);
+    const float upper = style_.costume == Costume::street ? below_ankle : shoe(foot);
+    const float shoe_edge = has_shoes ? upper : -kMaskRange;
 
     std::array<float, kMaskCount> masks{};
     const auto set = [&](AvatarMask mask, float value) {
         masks[static_cast<std::size_t>(mask)] = value;
     };
-    set(AvatarMask::suit, std::min({neckline(p), sleeve(p), leg_end(p)}));
-    // The stripe follows the side of the trunk above the hip and the leg's own line below.
-    const float stripe = p.y > kHipHeight ? p.z + 0.012F : off_leg.z - stripe_shift;
-    set(AvatarMask::stripe, stripe);
-    set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
+    set(AvatarMask::suit, suit(p));
+    if (style_.costume == Costume::unitard) {
+        // The stripe follows the side of the trunk above the hip and the leg's own line below.
+        const float stripe_shift = mix(-0.009F, -0.012F, smoothstep(0.76F, kHipHeight, p.y));
+        set(AvatarMask::stripe, p.y > kHipHeight ? p.z + 0.012F : off_leg.z - stripe_shift);
+        set(AvatarMask::outer, p.y > kHipHeight ? p.x - 0.06F : off_leg.x);
+    } else {
+        // As wide as a stripe is where it begins.
+        set(AvatarMask::stripe, std::max(kStripeEdge - second_cloth(p), 0.0F));
+        set(AvatarMask::outer, kMaskRange);
+    }
     set(AvatarMask::hair, hair(p));
     set(AvatarMask::shoe, shoe_edge);
-    const float sole = sole_top(foot.z + kAnkleZ) - (foot.y + kAnkleHeight);
+    const float upper_edge = has_arch(style_.costume) ? sole_top(foot.z + kAnkleZ) : kFlatSole;
+    const float sole = upper_edge - (foot.y + kAnkleHeight);
     set(AvatarMask::accent, std::min(shoe_edge, sole));
     set(AvatarMask::band, bands(p));
     return masks;

@@ -16,21 +16,32 @@ namespace raks::render {
 /// not hold any more a growing penalty ends the area, never an `if`, which would fray its edge.
 class ColourMasks {
  public:
-    ColourMasks(const BodyField& field, const BindFrames& frames, MannequinBuild build) noexcept;
+    ColourMasks(const BodyField& field, const BindFrames& frames, MannequinStyle style) noexcept;
 
     /// By AvatarMask.
     [[nodiscard]] std::array<float, kMaskCount> at(glm::vec3 p) const noexcept;
 
  private:
+    [[nodiscard]] float suit(glm::vec3 p) const noexcept;
+    [[nodiscard]] float unitard(glm::vec3 p) const noexcept;
+    [[nodiscard]] float sleeved(glm::vec3 p) const noexcept;
+    [[nodiscard]] float two_pieces(glm::vec3 p) const noexcept;
     [[nodiscard]] static float neckline(glm::vec3 p) noexcept;
-    [[nodiscard]] float sleeve(glm::vec3 p) const noexcept;
+    [[nodiscard]] static float collar(glm::vec3 p) noexcept;
+    [[nodiscard]] float cap_sleeve(glm::vec3 p, float length) const noexcept;
+    [[nodiscard]] float armhole(glm::vec3 p) const noexcept;
+    [[nodiscard]] float long_sleeve(glm::vec3 p, float along_forearm) const noexcept;
+    [[nodiscard]] float off_arm(glm::vec3 p) const noexcept;
+    [[nodiscard]] float beside_arm(glm::vec3 p) const noexcept;
     [[nodiscard]] float leg_end(glm::vec3 p) const noexcept;
     [[nodiscard]] glm::vec3 from_leg_line(glm::vec3 p) const noexcept;
+    [[nodiscard]] float second_cloth(glm::vec3 p) const noexcept;
     [[nodiscard]] static float hair(glm::vec3 p) noexcept;
     [[nodiscard]] static float shoe(glm::vec3 foot) noexcept;
     [[nodiscard]] float bands(glm::vec3 p) const noexcept;
 
     const BodyField& field_;
+    MannequinStyle style_;
     float below_knee_;  // metres
     glm::vec3 shoulder_;
     glm::vec3 elbow_;

@@ -140,13 +140,13 @@ AvatarVertex mirror_image(AvatarVertex vertex) noexcept {
 /// Field, surface, relaxed mesh, weights, vertices: each step needs the one before it.
 void add_mesh(const BodyField& field,
               const BindFrames& frames,
-              MannequinBuild build,
+              MannequinStyle style,
               Avatar& avatar) {
     MirroredMesh mesh = extract_surface(field, frames);
     const Neighbours neighbours(mesh);
     relax(field, neighbours, mesh);
     const std::vector<PackedWeights> weights = skin_weights(field, frames, mesh, neighbours);
-    const ColourMasks masks(field, frames, build);
+    const ColourMasks masks(field, frames, style);
 
     avatar.vertices.reserve(2 * mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -167,10 +167,11 @@ void add_mesh(const BodyField& field,
 
 }  // namespace
 
-Avatar build_mannequin(MannequinBuild build) {
+Avatar build_mannequin(MannequinStyle style) {
     Avatar avatar;
     avatar.name = "Raks mannequin";
     avatar.licence = "CC0-1.0";
+    avatar.style = style;
     avatar.skeleton = motion::mannequin_skeleton();
     avatar.bind_pose = mannequin_bind_pose();
     avatar.helpers = mannequin_helpers(avatar.skeleton);
@@ -181,9 +182,9 @@ Avatar build_mannequin(MannequinBuild build) {
         matrix = glm::inverse(matrix);
     }
     const BindFrames frames(avatar.skeleton, avatar.bind_pose);
-    const BodyField field(frames, build);
-    add_mesh(field, frames, build, avatar);
-    const Model worn = worn_model(avatar.skeleton, field, build);
+    const BodyField field(frames, style);
+    add_mesh(field, frames, style, avatar);
+    const Model worn = worn_model(avatar.skeleton, field, style);
     auto rig = std::make_shared<AvatarRig>(build_rig(worn));
     avatar.surface = build_surface(worn, *rig, {});
     avatar.rig = std::move(rig);

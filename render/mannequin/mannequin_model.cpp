@@ -277,11 +277,11 @@ class MannequinModel {
 
 }  // namespace
 
-Model mannequin_model(const PaintColours& colours, MannequinBuild build) {
-    const Avatar avatar = build_mannequin(build);
+Model mannequin_model(const PaintColours& colours, MannequinStyle style) {
+    const Avatar avatar = build_mannequin(style);
     const BindFrames frames(avatar.skeleton, avatar.bind_pose);
-    const BodyField field(frames, build);
-    return MannequinModel(avatar, worn_model(avatar.skeleton, field, build), colours).build();
+    const BodyField field(frames, style);
+    return MannequinModel(avatar, worn_model(avatar.skeleton, field, style), colours).build();
 }
 
 }  // namespace raks::render

@@ -10,7 +10,7 @@
 
 namespace raks::render {
 
-/// Linear colours in the order of Paint (render/mannequin/painted_mesh.hpp) and of DressColours.
+/// Linear colours in the order of Paint (render/model/paint.hpp) and of DressColours.
 using PaintColours = std::array<glm::vec3, 10>;
 
 /// The mannequin as a figure of VRM 1.0: its skin and what it wears over it, in a material for each
@@ -20,7 +20,6 @@ using PaintColours = std::array<glm::vec3, 10>;
 /// above and half into the limb, the rolled ones of the limbs into the limb, so that armpits and
 /// groins fold more sharply than in Raks; collar bones rise where the pose says so. Threads: any.
 /// Real-time: no (0.3 s).
-[[nodiscard]] Model mannequin_model(const PaintColours& colours,
-                                    MannequinBuild build = MannequinBuild::follow);
+[[nodiscard]] Model mannequin_model(const PaintColours& colours, MannequinStyle style = {});
 
 }  // namespace raks::render

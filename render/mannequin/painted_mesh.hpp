@@ -6,24 +6,11 @@
 #include <vector>
 
 #include "render/model/model.hpp"
+#include "render/model/paint.hpp"
 
 #include <glm/vec3.hpp>
 
 namespace raks::render {
-
-/// Which colour of a dancer's dress tints a vertex; the order of DressColours in render/dress.hpp.
-enum class Paint : std::uint8_t {
-    skin,
-    suit,
-    stripe,
-    hair,
-    shoes,
-    trim,
-    sole,
-    white,
-    iris,
-    lips,
-};
 
 /// One vertex in the T-pose.
 struct PaintedPoint {

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "render/mannequin/cloth_mesh.hpp"
 #include "render/mannequin/face_mesh.hpp"
 #include "render/mannequin/face_shape.hpp"
 #include "render/mannequin/hair_mesh.hpp"
 #include "render/mannequin/painted_mesh.hpp"
-#include "render/mannequin/skirt_mesh.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
 
@@ -23,8 +23,8 @@ enum PaintedMaterial : int { kOnSkin, kCloth };
 
 class WornModel {
  public:
-    WornModel(const motion::Skeleton& skeleton, const BodyField& field, MannequinBuild build)
-        : field_(field), build_(build) {
+    WornModel(const motion::Skeleton& skeleton, const BodyField& field, MannequinStyle style)
+        : field_(field), style_(style) {
         model_.name = "Raks mannequin";
         add_bones(skeleton);
         add_materials();
@@ -32,9 +32,10 @@ class WornModel {
 
     Model build() {
         const HairStyle style =
-            build_ == MannequinBuild::lead ? HairStyle::cropped : HairStyle::ponytail;
+            style_.build == MannequinBuild::lead ? HairStyle::cropped : HairStyle::ponytail;
         PaintedMesh on_head;
-        std::vector<MorphTarget> targets = add_face(field_, build_, joint_of(Bone::head), on_head);
+        std::vector<MorphTarget> targets =
+            add_face(field_, style_.build, joint_of(Bone::head), on_head);
         add_hair(field_, style, joint_of(Bone::head), add_tail(style), on_head);
         ModelMesh mesh{.name = "head", .primitives = {}, .morph_names = {}, .morph_weights = {}};
         mesh.primitives.push_back(on_head.take(kOnSkin));
@@ -45,8 +46,8 @@ class WornModel {
         mesh.morph_weights.assign(kFaceExpressionCount, 0.0F);
         const int face = add_mesh(std::move(mesh));
         add_expressions(face);
-        if (build_ == MannequinBuild::follow) {
-            add_skirt_with_springs();
+        for (const ClothCut& cut : cloth_of(style_)) {
+            add_cloth_with_springs(cut);
         }
         add_skin();
         return std::move(model_);
@@ -91,7 +92,8 @@ class WornModel {
             ModelMaterial material;
             material.name = is_double_sided ? "cloth" : "on skin";
             material.metallic = 0.0F;
-            material.roughness = 0.75F;
+            // Cloth is matte.
+            material.roughness = is_double_sided ? 0.92F : 0.75F;
             material.is_painted = true;
             material.is_costume = is_double_sided;
             material.is_double_sided = is_double_sided;
@@ -187,27 +189,50 @@ class WornModel {
         return joints;
     }
 
-    void add_skirt_with_springs() {
-        const int hips = static_cast<int>(joint_of(Bone::hips));
+    /// Capsules that stand for the legs, on both sides. Three side by side, so that chains beside
+    /// the middle of a leg are pushed before it and do not slip off to its two sides, where the leg
+    /// would come through between them.
+    std::vector<int> add_leg_colliders(const ClothCut& cut) {
+        constexpr std::array kAside = {-0.055F, 0.0F, 0.055F};
+        constexpr float kThinner = 0.020F;  // those beside the middle
         std::vector<int> colliders;
+        const auto add = [&](Bone bone, glm::vec3 offset, glm::vec3 tail, float radius) {
+            for (const float aside : kAside) {
+                const glm::vec3 shift{aside, 0.0F, 0.0F};
+                colliders.push_back(
+                    add_collider({.node = static_cast<int>(joint_of(bone)),
+                                  .shape = ColliderShape::capsule,
+                                  .offset = offset + shift,
+                                  .tail = tail + shift,
+                                  .radius = aside == 0.0F ? radius : radius - kThinner}));
+            }
+        };
         for (const Bone thigh : {Bone::left_upper_leg, Bone::right_upper_leg}) {
-            colliders.push_back(add_collider({.node = static_cast<int>(joint_of(thigh)),
-                                              .shape = ColliderShape::capsule,
-                                              .offset = {0.0F, -0.030F, 0.0F},
-                                              .tail = {0.0F, -0.390F, 0.004F},
-                                              .radius = 0.094F}));
+            add(thigh, {0.0F, -0.030F, 0.0F}, {0.0F, -0.390F, 0.004F}, cut.thigh_radius);
         }
+        if (cut.shank_radius > 0.0F) {
+            for (const Bone shank : {Bone::left_lower_leg, Bone::right_lower_leg}) {
+                add(shank, {0.0F, 0.0F, 0.006F}, {0.0F, -0.380F, 0.0F}, cut.shank_radius);
+            }
+        }
+        return colliders;
+    }
+
+    void add_cloth_with_springs(const ClothCut& cut) {
+        const int hips = static_cast<int>(joint_of(Bone::hips));
+        const std::vector<int> colliders = add_leg_colliders(cut);
         std::vector<std::uint16_t> joints;
-        for (std::size_t c = 0; c < kSkirtChains; ++c) {
-            SpringChain chain{
-                .name = "skirt" + std::to_string(c), .joints = {}, .colliders = colliders};
+        for (std::size_t c = 0; c < cut.chains; ++c) {
+            SpringChain chain{.name = "cloth" + std::to_string(model_.character.springs.size()),
+                              .joints = {},
+                              .colliders = colliders};
             int parent = hips;
-            for (const glm::vec3& place : skirt_chain(c)) {
+            for (const glm::vec3& place : cloth_chain(cut, c)) {
                 parent =
                     add_node(chain.name + "_" + std::to_string(chain.joints.size()), parent, place);
                 chain.joints.push_back({.node = parent,
                                         .hit_radius = 0.022F,
-                                        .stiffness = 0.55F,
+                                        .stiffness = cut.stiffness,
                                         .gravity_power = 0.30F,
                                         .drag = 0.38F});
                 joints.push_back(static_cast<std::uint16_t>(parent));
@@ -215,22 +240,22 @@ class WornModel {
             model_.character.springs.push_back(std::move(chain));
         }
         PaintedMesh cloth;
-        add_skirt(field_, joint_of(Bone::hips), joints, cloth);
-        ModelMesh mesh{.name = "skirt", .primitives = {}, .morph_names = {}, .morph_weights = {}};
+        add_cloth(cut, field_, joint_of(Bone::hips), joints, cloth);
+        ModelMesh mesh{.name = "cloth", .primitives = {}, .morph_names = {}, .morph_weights = {}};
         mesh.primitives.push_back(cloth.take(kCloth));
         add_mesh(std::move(mesh));
     }
 
     const BodyField& field_;
-    MannequinBuild build_;
+    MannequinStyle style_;
     Model model_;
     std::vector<glm::vec3> places_;  // of the nodes, in the T-pose
 };
 
 }  // namespace
 
-Model worn_model(const motion::Skeleton& skeleton, const BodyField& field, MannequinBuild build) {
-    return WornModel(skeleton, field, build).build();
+Model worn_model(const motion::Skeleton& skeleton, const BodyField& field, MannequinStyle style) {
+    return WornModel(skeleton, field, style).build();
 }
 
 }  // namespace raks::render

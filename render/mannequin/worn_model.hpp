@@ -3,7 +3,7 @@
 
 #include "motion/skeleton/skeleton.hpp"
 #include "render/mannequin/body_field.hpp"
-#include "render/mannequin/mannequin.hpp"
+#include "render/model/mannequin_style.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {
@@ -13,6 +13,6 @@ namespace raks::render {
 /// are painted: the dancer's dress colours them.
 [[nodiscard]] Model worn_model(const motion::Skeleton& skeleton,
                                const BodyField& field,
-                               MannequinBuild build);
+                               MannequinStyle style);
 
 }  // namespace raks::render

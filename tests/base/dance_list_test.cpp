@@ -23,6 +23,7 @@ tempo = [56, 70]
 likely_tempo = 62
 roles = 2
 style = "drums"
+dress = "tails"
 labels = ["milonga"]
 
 [[dance]]
@@ -54,6 +55,7 @@ TEST(DanceList, reads_what_each_dance_is) {
     EXPECT_EQ(tango.highest, Bpm(70.0));
     EXPECT_EQ(tango.likely, Bpm(62.0));
     EXPECT_EQ(tango.roles, 2);
+    EXPECT_EQ(tango.dress, "tails");
     EXPECT_EQ(tango.labels, std::vector<std::string>{"milonga"});
     const DanceInfo& polka = file->dances[1];
     EXPECT_EQ(polka.title, "polka") << "without a title its name";
@@ -87,7 +89,7 @@ TEST(DanceList, every_fault_is_one_line_with_its_place) {
         std::string fault;
     } cases[] = {
         {replaced("\"polka\"\nbeats", "\"tango\"\nbeats"),
-         "x.toml: line 15: dance \"tango\" is there twice"},
+         "x.toml: line 16: dance \"tango\" is there twice"},
         {replaced("beats_per_bar = 4", "beats_per_bar = 0"),
          "x.toml: line 8: beats_per_bar is 0, must be 2 to 12"},
         {replaced("[56, 70]", "[70, 56]"),

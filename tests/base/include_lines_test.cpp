@@ -104,7 +104,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"render/mannequin", {"base", "motion/skeleton", "render/avatar", "render/model"}},
     {"render/overlay", {"base", "render/gl"}},
     {"render/panes", {"base", "render/gl", "render/overlay"}},
-    {"render", {"base", "motion/skeleton", "render/gl", "render/scene", "render/avatar"}},
+    {"render",
+     {"base", "motion/skeleton", "render/gl", "render/scene", "render/avatar", "render/model"}},
 
     {"training/hmm", {"base", "models"}},
     {"training/networks", {"base", "models", "audio/features"}},

@@ -302,6 +302,37 @@ TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
     expect_one_line({"render", "--motion", path("no.vrma"), "-o", path("y.mp4")}, 1, "no.vrma");
 }
 
+TEST_F(Avatar, the_mannequin_is_dressed_for_the_dance) {
+    write_clicks("song.wav");
+    const auto filmed = [&](const std::string& dress) {
+        const auto result = run({"render",
+                                 path("song.wav"),
+                                 "-o",
+                                 path(dress) + "/",
+                                 "--dance",
+                                 "hiphop",
+                                 "--dress",
+                                 dress,
+                                 "--size",
+                                 "64x64",
+                                 "--quality",
+                                 "fast",
+                                 "--duration",
+                                 "0.1",
+                                 "--fps",
+                                 "10"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const auto pictures = list_folder(path(dress));
+        EXPECT_TRUE(pictures && !pictures->empty());
+        return pictures ? read_file(pictures->front()).value_or(dress) : dress;
+    };
+    const std::string by_dance = filmed("auto");
+    EXPECT_EQ(by_dance, filmed("street"));
+    EXPECT_NE(by_dance, filmed("dancer"));
+    expect_one_line(
+        {"sheet", "--dance", "hiphop", "--dress", "pyjamas", "-o", path("x.png")}, 2, "pyjamas");
+}
+
 TEST_F(Avatar, that_is_not_there_or_cannot_be_seen_is_refused_by_every_command) {
     write_clicks("song.wav", 1.0);
     const std::string song = path("song.wav");

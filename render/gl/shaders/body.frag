@@ -13,7 +13,10 @@ out vec4 colour;
 
 #ifdef FAST
 
-void main() { colour = vec4(sqrt(tone_mapped(albedo_of(a, b) * diffuse + added)), 1.0); }
+void main() {
+    vec3 albedo = albedo_of(a, b);
+    colour = vec4(sqrt(tone_mapped(albedo * diffuse + thrown_back(added, albedo))), 1.0);
+}
 
 #else
 
@@ -36,15 +39,16 @@ void main() {
     vec3 n = normalize(world_normal);
     vec3 v = normalize(vec3(eye.x, eye.y * mirror, eye.z) - world);
     float lit = key_visibility(world + 0.012 * n);
-    vec3 light = albedo_of(a, b) * diffuse_light(n, open, lit);
+    vec3 albedo = albedo_of(a, b);
+    vec3 light = albedo * diffuse_light(n, open, lit);
     // Cloth is matte; skin shines a little, and lets light through where its own shadow begins.
     float suit = inside(a.x);
     light += highlight(n, v, mix(0.66, 0.88, suit)) * (mix(0.75, 0.5, suit) * lit);
-    light += 0.35 * rim_of(n, v, open);
+    light += thrown_back(0.35 * rim_of(n, v, open), albedo);
 #ifdef DRESS_DANCER
     float turn = dot(n, key_direction.xyz) + 0.05;
     light += (1.0 - suit) * exp(-18.0 * turn * turn) * lit * key_light.rgb *
-             (albedo_of(a, b) * vec3(0.10, 0.02, 0.008));
+             (albedo * vec3(0.10, 0.02, 0.008));
 #endif
     colour = vec4(encoded(tone_mapped(light)), 1.0);
 }

@@ -43,6 +43,10 @@ layout(std140) uniform Blobs { vec4 blobs[1012]; };  // x, z, 1 / radius^2, stre
 const float kFadeStart = 1.6;  // metres from the middle of a floor of size 1: it begins to fade
 const float kFadeEnd = 4.6;    // and here it is the backdrop
 
+// What a surface throws back of light that grazes it: most of it in its own colour, so that dark
+// cloth has no white edge.
+vec3 thrown_back(vec3 light, vec3 albedo) { return light * (0.2 + 0.8 * sqrt(albedo)); }
+
 // Narkowicz 2015, "ACES filmic tone mapping curve", after exposure.
 vec3 tone_mapped(vec3 light) {
     vec3 x = light * tone.x;

@@ -223,8 +223,12 @@ vec3 lit_colour(vec3 base, vec4 both) {
     vec3 fresnel = mirrored + (1.0 - mirrored) * pow(1.0 - lh, 5.0);
     float facing = max(dot(n, key_direction.xyz), 0.0);
     float spread = alpha * alpha / (4.0 * d * d * lh * lh * (alpha + 0.5));
+    vec3 edge = 0.25 * rim_of(n, v, open);
+#ifdef PAINTED
+    edge = thrown_back(edge, albedo);
+#endif
     return albedo * diffuse_light(n, open, lit) +
-           key_light.rgb * fresnel * (facing * spread * lit) + 0.25 * rim_of(n, v, open);
+           key_light.rgb * fresnel * (facing * spread * lit) + edge;
 #endif
 }
 #endif

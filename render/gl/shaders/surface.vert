@@ -88,7 +88,8 @@ void main() {
     added = vec3(0.0);
 #if defined(PAINTED)
     light.rgb = diffuse_light(n, open, mix(0.75, 1.0, open));
-    added = rim_of(n, v, open) * 0.35;
+    // None on the inner side of cloth.
+    added = thrown_back(rim_of(n, v, open), tint.rgb) * (0.35 * smoothstep(-0.2, 0.0, dot(n, v)));
 #elif defined(LIT)
     light.rgb = diffuse_light(n, 1.0, 1.0);
     added = rim_of(n, v, 1.0) * 0.25;

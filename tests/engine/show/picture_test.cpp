@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/setup/settings_table.hpp"
@@ -35,9 +36,9 @@ std::vector<Look> looks_of(std::string Settings::*field) {
 }
 
 TEST(Look, has_another_dress_and_quality_by_every_word) {
-    std::set<render::Dress> dresses;
+    std::set<std::tuple<render::Dress, render::Costume, bool>> dresses;
     for (const Look& look : looks_of(&Settings::dress)) {
-        dresses.insert(look.scene.dress);
+        dresses.emplace(look.scene.dress, look.costume, look.dresses_by_dance);
     }
     EXPECT_EQ(dresses.size(), words_of(&Settings::dress).size());
     std::set<render::Quality> qualities;

@@ -23,8 +23,8 @@ namespace {
 constexpr std::array kBuilds = {MannequinBuild::follow, MannequinBuild::lead};
 
 const Avatar& built(MannequinBuild build) {
-    static const std::array<Avatar, 2> avatars = {build_mannequin(MannequinBuild::follow),
-                                                  build_mannequin(MannequinBuild::lead)};
+    static const std::array<Avatar, 2> avatars = {build_mannequin({MannequinBuild::follow}),
+                                                  build_mannequin({MannequinBuild::lead})};
     return avatars[static_cast<std::size_t>(build)];
 }
 

@@ -163,7 +163,7 @@ TEST(MannequinModel, each_material_has_one_colour_of_the_dress) {
     for (std::size_t i = 0; i < colours.size(); ++i) {
         colours[i] = glm::vec3(0.1F * static_cast<float>(i));
     }
-    const Model dressed = mannequin_model(colours, MannequinBuild::lead);
+    const Model dressed = mannequin_model(colours, {MannequinBuild::lead});
     EXPECT_GE(dressed.materials.size(), colours.size());
     for (const ModelMaterial& material : dressed.materials) {
         EXPECT_FALSE(material.is_painted);

@@ -17,7 +17,7 @@ namespace raks::render {
 inline const std::map<std::string, Theme, std::less<>>& shipped_themes() {
     static const auto themes = [] {
         std::map<std::string, Theme, std::less<>> read;
-        const auto files = list_folder(test::kSourceTree / "config/themes").value();
+        const auto files = list_folder(raks::test::kSourceTree / "config/themes").value();
         for (const auto& file : files) {
             const std::string name = file.stem().string();
             auto theme = parse_theme(read_text_file(file, 1U << 20U).value(), name, file.string());
