@@ -13,9 +13,6 @@ namespace {
 
 constexpr glm::vec3 kWaistMiddle{0.0F, 0.0F, -0.013F};
 constexpr float kTurn = glm::radians(360.0F);
-// Off the skin: at the waist, and on the hips, which bulge when a thigh turns.
-constexpr float kEase = 0.006F;
-constexpr float kHipEase = 0.016F;
 // Of a ring, in steps between chains: so that one hangs before and one behind each thigh, which
 // then lifts it and does not part two.
 constexpr float kFirstChain = 0.5F;
@@ -76,8 +73,8 @@ constexpr std::array kCoatTails = {tail(112.0F, 178.0F), tail(182.0F, 248.0F)};
 
 // A scarf that is tied over one hip.
 constexpr std::array kScarfRows = {
-    0.955F, 0.930F, 0.905F, 0.880F, 0.855F, 0.832F, 0.832F, 0.815F, 0.800F};
-constexpr std::array kScarfJoints = {0.930F, 0.890F, 0.845F, 0.800F};
+    0.972F, 0.945F, 0.915F, 0.885F, 0.858F, 0.832F, 0.832F, 0.815F, 0.800F};
+constexpr std::array kScarfJoints = {0.950F, 0.870F, 0.800F};
 constexpr std::array kScarf = {ClothCut{.rows = kScarfRows,
                                         .first_hem_row = 6,
                                         .joint_heights = kScarfJoints,
@@ -85,6 +82,8 @@ constexpr std::array kScarf = {ClothCut{.rows = kScarfRows,
                                         .half = {0.206F, 0.152F, 0.160F},
                                         .flare = {0.22F, 0.22F, 0.22F},
                                         .folds = 0.20F,
+                                        .ease = 0.014F,
+                                        .hip_ease = 0.026F,
                                         .longer = 0.75F,
                                         .longest_at = glm::radians(55.0F),
                                         .thigh_radius = 0.120F,
@@ -195,8 +194,8 @@ class Cloth {
         if (y < cut_.hip_line - 0.03F) {
             return free;
         }
-        const float ease =
-            kHipEase + (kEase - kHipEase) * smoothstep(cut_.hip_line + 0.04F, waist_of(cut_), y);
+        const float ease = cut_.hip_ease + (cut_.ease - cut_.hip_ease) *
+                                               smoothstep(cut_.hip_line + 0.04F, waist_of(cut_), y);
         const float away = skin_radius(field_, azimuth, y) + ease;
         const glm::vec3 on_skin =
             kWaistMiddle + glm::vec3{away * std::sin(azimuth), y, away * std::cos(azimuth)};

@@ -32,6 +32,9 @@ struct ClothCut {
     glm::vec3 flare{0.30F, 0.35F, 0.35F};
     /// Depth of the folds, a metre of fall; five waves to each side.
     float folds = 0.16F;
+    /// Off the skin: at the waist, and on the hips, which bulge when a thigh turns.
+    float ease = 0.006F;
+    float hip_ease = 0.016F;
     /// A whole ring, or from one angle to the other.
     bool is_ring = true;
     float from = 0.0F;

@@ -209,7 +209,7 @@ float ColourMasks::sleeved(glm::vec3 p) const noexcept {
 /// A top without sleeves, and trousers from the hips down.
 float ColourMasks::two_pieces(glm::vec3 p) const noexcept {
     const float top = std::min({neckline(p), armhole(p), p.y - 1.178F});
-    const float waist = 0.936F - p.y - 0.20F * p.z;
+    const float waist = 0.945F - p.y - 0.20F * p.z;
     return std::max(top, std::min({waist, leg_end(p), beside_arm(p)}));
 }
 
@@ -234,7 +234,7 @@ float ColourMasks::second_cloth(glm::vec3 p) const noexcept {
     if (style_.costume == Costume::street) {
         return std::min(0.846F - p.y, beside_arm(p));
     }
-    if (style_.costume == Costume::ballroom && style_.build == MannequinBuild::lead) {
+    if (has_coat(style_)) {
         // A wedge from the waist to the shoulders, and a band round the neck.
         const float front =
             std::min({0.006F + 0.19F * (p.y - 1.06F) - p.x, p.z + 0.01F, p.y - 1.06F});
@@ -248,9 +248,9 @@ std::array<float, kMaskCount> ColourMasks::at(glm::vec3 p) const noexcept {
     // The shoe is given in the foot's own frame, which is turned in the bind pose.
     const glm::vec3 foot = foot_from_world_ * (p - ankle_);
     const bool has_shoes = style_.costume != Costume::oriental;
-    // Of a sneaker it is under the trousers.
-    const float below_ankle = 0.125F - (foot.y + kAnkleHeight);
-    const float upper = style_.costume == Costume::street ? below_ankle : shoe(foot);
+    // Of a sneaker, and of a sock, it is under the trousers.
+    const bool is_high = style_.costume == Costume::street || has_coat(style_);
+    const float upper = is_high ? 0.125F - (foot.y + kAnkleHeight) : shoe(foot);
     const float shoe_edge = has_shoes ? upper : -kMaskRange;
 
     std::array<float, kMaskCount> masks{};

@@ -71,7 +71,17 @@ constexpr std::array kWideShank = {
     Station{0.360F, 0.076F, 0.081F, 0.080F, 0.004F, 0.008F},
 };
 
-// Trousers that bulge down to the ankle, where they are tied.
+// Trousers that are tight under a scarf and bulge down to the ankle, where they are tied.
+constexpr std::array kFullThigh = {
+    Station{-0.03F, 0.070F, 0.066F, 0.074F, 0.004F, -0.006F},
+    Station{0.03F, 0.078F, 0.076F, 0.083F, 0.006F, -0.006F},
+    Station{0.08F, 0.080F, 0.079F, 0.084F, 0.006F, -0.004F},
+    Station{0.14F, 0.080F, 0.081F, 0.082F, 0.007F, 0.0F},
+    Station{0.21F, 0.083F, 0.084F, 0.082F, 0.008F, 0.002F},
+    Station{0.28F, 0.080F, 0.081F, 0.078F, 0.007F, 0.002F},
+    Station{0.34F, 0.076F, 0.077F, 0.074F, 0.005F, 0.001F},
+    Station{0.40F, 0.074F, 0.074F, 0.073F, 0.004F, -0.001F},
+};
 constexpr std::array kFullShank = {
     Station{-0.03F, 0.074F, 0.074F, 0.074F, 0.004F, -0.002F},
     Station{0.05F, 0.077F, 0.078F, 0.080F, 0.005F, -0.004F},
@@ -119,7 +129,7 @@ constexpr std::array kProfiles = {
     ClothProfile{Costume::street, "thigh", kWideThigh, 0.055F},
     ClothProfile{Costume::street, "shank", kWideShank, 0.016F},
     ClothProfile{Costume::street, "foot", kSneaker, 0.013F},
-    ClothProfile{Costume::oriental, "thigh", kWideThigh, 0.055F},
+    ClothProfile{Costume::oriental, "thigh", kFullThigh, 0.055F},
     ClothProfile{Costume::oriental, "shank", kFullShank, 0.010F},
 };
 constexpr ClothProfile kCoatSleeve{Costume::ballroom, "forearm", kCoatForearm, 0.006F};
@@ -169,8 +179,7 @@ std::optional<ShapedPrimitive> dressed(ShapedPrimitive made, MannequinStyle styl
             set_profile(profile, made);
         }
     }
-    const bool has_coat = style.costume == Costume::ballroom && style.build == MannequinBuild::lead;
-    if (has_coat && name == kCoatSleeve.solid) {
+    if (has_coat(style) && name == kCoatSleeve.solid) {
         set_profile(kCoatSleeve, made);
     }
     return made;
@@ -179,6 +188,10 @@ std::optional<ShapedPrimitive> dressed(ShapedPrimitive made, MannequinStyle styl
 std::span<const Primitive> costume_primitives(Costume costume) noexcept {
     return costume == Costume::street ? std::span<const Primitive>(kHoodie)
                                       : std::span<const Primitive>();
+}
+
+bool has_coat(MannequinStyle style) noexcept {
+    return style.costume == Costume::ballroom && style.build == MannequinBuild::lead;
 }
 
 bool has_arch(Costume costume) noexcept {

@@ -16,6 +16,9 @@ namespace raks::render {
 /// Solids that a costume adds. A static table.
 [[nodiscard]] std::span<const Primitive> costume_primitives(Costume costume) noexcept;
 
+/// Whether it wears a coat with a shirt under it.
+[[nodiscard]] bool has_coat(MannequinStyle style) noexcept;
+
 /// Whether its shoes have a heel and an arch before it (sole_height), or a flat sole.
 [[nodiscard]] bool has_arch(Costume costume) noexcept;
 
