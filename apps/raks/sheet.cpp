@@ -17,6 +17,7 @@
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 #include "engine/setup/dance_files.hpp"
+#include "engine/show/dress_by_dance.hpp"
 #include "engine/trials/figure_alone.hpp"
 #include "motion/cells/cell_dance.hpp"
 #include "motion/dance_library.hpp"

@@ -179,7 +179,8 @@ Expected<std::unique_ptr<DrawnDancer>> DrawnDancer::create(const capture::Studio
     if (!context) {
         return fail(std::move(context.error()));
     }
-    auto renderer = render::Renderer::create(render::build_mannequin({render::MannequinBuild::lead}));
+    auto renderer =
+        render::Renderer::create(render::build_mannequin({render::MannequinBuild::lead}));
     if (!renderer) {
         return fail(std::move(renderer.error()));
     }

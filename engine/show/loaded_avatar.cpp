@@ -161,6 +161,7 @@ Expected<std::vector<LoadedAvatar>> load_avatars(const std::vector<std::string>&
 
 std::vector<motion::Skeleton> dance_bodies_of(const std::vector<LoadedAvatar>& avatars) {
     std::vector<motion::Skeleton> bodies;
+    bodies.reserve(avatars.size());
     for (const LoadedAvatar& avatar : avatars) {
         bodies.push_back(render::dance_body(*avatar.avatar));
     }

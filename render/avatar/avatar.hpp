@@ -129,7 +129,7 @@ struct Avatar {
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
     std::array<glm::mat4, kPaletteSize> inverse_bind{};  ///< joint from world, in the bind pose
     std::array<HelperJoint, kHelperCount> helpers{};
-    std::string licence;  ///< SPDX identifier
+    std::string licence;   ///< SPDX identifier
     MannequinStyle style;  ///< says how an outfit colours the skin and what is worn over it
 };
 

@@ -48,7 +48,7 @@ float covered(const Avatar& avatar, float from, float to) {
 float hem_of(const Avatar& avatar) {
     float lowest = kMannequinHeight;
     for (const SurfaceVertex& vertex : avatar.surface.vertices) {
-        const auto paint = static_cast<Paint>(static_cast<int>(vertex.uv[2] + 0.5F));
+        const auto paint = static_cast<Paint>(std::lround(vertex.uv[2]));
         if (vertex.position[1] < 1.1F && (paint == Paint::suit || paint == Paint::trim)) {
             lowest = std::min(lowest, vertex.position[1]);
         }
@@ -144,7 +144,7 @@ TEST(Costumes, the_gown_reaches_the_ankle_and_the_coat_has_tails) {
     const Avatar& coat = wearing(MannequinBuild::lead, Costume::ballroom);
     EXPECT_NEAR(hem_of(coat), 0.52F, 0.03F);
     for (const SurfaceVertex& vertex : coat.surface.vertices) {
-        const auto paint = static_cast<Paint>(static_cast<int>(vertex.uv[2] + 0.5F));
+        const auto paint = static_cast<Paint>(std::lround(vertex.uv[2]));
         if (vertex.position[1] < 0.9F && paint == Paint::suit) {
             EXPECT_LT(vertex.position[2], 0.07F) << "tails hang behind and beside";
         }

@@ -48,7 +48,7 @@ std::vector<glm::vec3> shaped(const Avatar& avatar, FaceExpression expression, f
 }
 
 Paint paint_of(const SurfaceVertex& vertex) {
-    return static_cast<Paint>(static_cast<int>(vertex.uv[2] + 0.5F));
+    return static_cast<Paint>(std::lround(vertex.uv[2]));
 }
 
 /// Whether a triangle of skin or lashes lies before a place, seen from the front.
@@ -202,7 +202,8 @@ TEST(MannequinFace, at_rest_it_neither_sulks_nor_frowns) {
 TEST(MannequinFace, one_brow_rises_alone) {
     const auto highest = [](const FaceShape& shape, std::size_t sheet) {
         float high = 0.0F;
-        for (const FacePoint& point : face_sheets(shape, MannequinBuild::follow)[sheet].points) {
+        const auto sheets = face_sheets(shape, MannequinBuild::follow);
+        for (const FacePoint& point : sheets[sheet].points) {
             high = std::max(high, point.y);
         }
         return high;
