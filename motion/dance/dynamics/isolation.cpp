@@ -9,8 +9,7 @@
 namespace raks::motion {
 namespace {
 
-constexpr float kStays = 0.90F;      // share of the part's way that is taken from it
-constexpr float kMostSpine = 0.35F;  // radians that the spine bends for it, approached softly
+constexpr float kMostSpine = 0.65F;  // radians that the spine bends for it, approached softly
 
 /// The bones from the hips to a head, in a row.
 constexpr std::array<Bone, 6> kSpineChain = {
@@ -49,7 +48,7 @@ void keep_still(const Skeleton& skeleton,
     const std::size_t joint = part == StillPart::head ? 5 : 4;
     const SpineChain now(skeleton, pose);
     const SpineChain mean(skeleton, middle);
-    glm::vec3 way = kStays * (mean.places[joint] - now.places[joint]);
+    glm::vec3 way = mean.places[joint] - now.places[joint];
     way.y = 0.0F;
     // Spine and chest bend by the same angle; from the neck on all is turned back.
     const glm::vec3 lever = 2.0F * now.places[4] - now.places[1] - now.places[2];

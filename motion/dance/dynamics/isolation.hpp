@@ -8,9 +8,9 @@
 
 namespace raks::motion {
 
-/// Bends the spine so that a part keeps but a tenth of its way over the floor from where it is
-/// in the posture `middle`; arms and head keep their directions, hips and legs stay. Threads: any.
-/// Real-time: yes.
+/// Bends the spine so that a part stays over the place on the floor where it is in the posture
+/// `middle`, as far as a spine bends; arms and head keep their directions, hips and legs stay.
+/// Threads: any. Real-time: yes.
 void keep_still(const Skeleton& skeleton,
                 StillPart part,
                 const Pose& middle,
