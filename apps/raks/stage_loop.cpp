@@ -141,10 +141,11 @@ Expected<void> StageLoop::open_pictures(std::optional<OpenedWindow> opened) {
 // Pictures without a window, where somebody has them. A bad avatar is told even where nobody sees
 // it.
 Expected<void> StageLoop::open_studio() {
-    const auto look = open_look(settings_);
+    auto look = open_look(settings_);
     if (!look) {
         return fail(look.error());
     }
+    engine::dress_for(*dances_, settings_.dance, *look);
     formations_->ask_for_bodies(engine::dance_bodies_of(look->avatars));
     if (!video_ && !recording_.is_on()) {
         return {};
@@ -327,9 +328,10 @@ void StageLoop::run_headless() {
 
 void StageLoop::draw_headless() {
     if (studio_) {
-        change_clothes();
-        // The mannequin's own clothes always load.
-        static_cast<void>(studio_->avatar_change.go_on(studio_->drawing));
+        change_clothes(shown_moment(graph_->stage(), graph_->moment_at(HostClock::now())));
+        if (const auto changed = studio_->avatar_change.go_on(studio_->drawing); !changed) {
+            say(changed.error().message);
+        }
         const render::Camera preset = framed(
             engine::camera_for(engine::preset_of(studio_->camera), studio_->drawing.bodies.size()));
         draw_elsewhere({studio_->drawing, studio_->scene, {studio_->camera, preset}});
@@ -337,9 +339,7 @@ void StageLoop::draw_headless() {
 }
 
 /// Once a picture: where the dance chooses what the mannequin wears.
-void StageLoop::change_clothes() {
-    const engine::ShownMoment shown =
-        shown_moment(graph_->stage(), graph_->moment_at(HostClock::now()));
+void StageLoop::change_clothes(const engine::ShownMoment& shown) {
     const auto costume = dress_->next(shown, *dances_);
     if (!costume) {
         return;
@@ -500,10 +500,10 @@ void StageLoop::say_told_dance() {
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
     formations_->ask_for_bodies(picture.bodies.dance_bodies());
-    change_clothes();
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
     const engine::ShownMoment danced = shown_moment(stage, moment);
+    change_clothes(danced);
     const engine::ShownMoment shown = performance_ ? performance_->at(danced) : danced;
     staging_.set_picture(
         static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),

@@ -173,7 +173,7 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] StageEnd run_until_end(engine::LiveGraph& graph);
     void run_headless();
     void draw_headless();
-    void change_clothes();
+    void change_clothes(const engine::ShownMoment& shown);
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void describe_silence(const engine::StageState& stage, render::OverlayState& overlay);
     [[nodiscard]] DanceChoice::Dancers dancers();

@@ -108,7 +108,7 @@ void Show::draw(const ShownMoment& shown,
     const DancedMoment& danced = shown.danced;
     if (const auto costume = dress_.next(shown, *dances_)) {
         avatars_ = dressed(std::move(avatars_), *costume);
-        // A driver that has taken the clothes before takes these.
+        // Where the driver refuses them the film goes on in those that are worn.
         static_cast<void>(wear_at_once(avatars_, partners_, drawing_));
     }
     staging_.set(scene_,
