@@ -64,7 +64,7 @@ void leave_genre_unknown(MusicState& state) noexcept {
 // The samples at 32 kHz run through a window of 1,024 samples; each hop of 320 makes one state.
 struct MusicAnalyzer::State {
     Resampler resampler;
-    LoudnessMeter loudness;
+    LoudnessMeter loudness{kRhythmRate};
     OnsetDetector onsets;
     BeatTracker tracker;
     TrackedHop tracked;  // the newest hop, as the tracker got it
@@ -355,9 +355,6 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
         return prepared;
     }
     state_->cepstral_mean = CepstralMean(features.cepstral_mean);
-    if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
-        return prepared;
-    }
     // Bands above the source's own limit hold nothing.
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
