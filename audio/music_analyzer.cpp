@@ -76,6 +76,9 @@ struct MusicAnalyzer::State {
     FormTracker form;
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
+    bool is_mfcc_wanted = false;  // by a genre model, or by who reads them
+    // Somebody hears the sound at 16 kHz: it costs a resampler.
+    [[nodiscard]] bool is_low_wanted() const noexcept { return is_mfcc_wanted || tags; }
     std::optional<GenreRecognizer> recognizer;
     std::shared_ptr<TagSource> tags;              // may be null
     TaggerHop tagged;                             // the newest hop, as the tagger got it
@@ -250,6 +253,10 @@ void MusicAnalyzer::State::hear_tags(MusicState& state) noexcept {
 void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
     const auto place = [](HopIndex hop) { return static_cast<std::size_t>(hop) % kLevelsKept; };
     level_dbfs[place(state.hop)] = state.level_dbfs;
+    if (!is_mfcc_wanted) {
+        mfcc_hops.discard();
+        return;
+    }
     const MfccVector* vector = mfcc_hops.next();
     if (vector == nullptr || state.hop < MfccHops::kHopsBehind) {
         return;
@@ -295,7 +302,9 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
         std::fill_n(window.begin() + static_cast<std::ptrdiff_t>(filled), count, 0.0F);
         filled += static_cast<std::size_t>(count);
         // 32 kHz to 16 kHz; the number of lost samples is even, so both clocks stay together.
-        mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
+        if (is_low_wanted()) {
+            mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
+        }
         left -= count;
         if (filled == window.size()) {
             MusicState state;
@@ -314,7 +323,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
                 tracker.advance_blind(state.hop, state);
             }
             form.advance_lost(state);
-            mfcc_hops.next_lost();
+            mfcc_hops.discard();
             level_dbfs.fill(kLowestLevel);
             hand_out(state, sink);
             std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
@@ -337,7 +346,8 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     }
     // A genre model defines the MFCC that it was trained on.
     GenreFeatures features;
-    features.cepstral_mean = config.cepstral_mean;
+    features.cepstral_mean = config.cepstral_mean.value_or(CepstralMeanConfig());
+    state_->is_mfcc_wanted = config.genre_model || config.cepstral_mean;
     state_->tags = config.tags;
     state_->recognizer.reset();
     if (config.genre_model) {
@@ -389,7 +399,9 @@ Expected<void> MusicAnalyzer::change_rate(SampleRate rate, StreamTime taken) {
                               static_cast<std::int64_t>(OnsetDetector::kWindow / 2);
     const std::int64_t made_16k = state.next_hop * static_cast<std::int64_t>(MfccStream::kHop) +
                                   static_cast<std::int64_t>(state.mfcc_hops.waiting());
-    state.mfcc_hops.push_lost(static_cast<int>(made / 2 - made_16k));
+    if (state.is_low_wanted()) {
+        state.mfcc_hops.push_lost(static_cast<int>(made / 2 - made_16k));
+    }
     // To an even place, see jump_gap().
     const std::int64_t place = (kRhythmRate.index_at(taken) + 1) / 2 * 2;
     state.lost_samples = std::max<std::int64_t>(0, place - made);
@@ -410,7 +422,9 @@ void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RA
         state.clean_chunk(mono.first(count));
         std::span<const float> chunk = std::span(state.clean).first(count);
         mono = mono.subspan(count);
-        state.mfcc_hops.push(chunk);
+        if (state.is_low_wanted()) {
+            state.mfcc_hops.push(chunk);
+        }
         while (!chunk.empty()) {
             const auto progress = state.resampler.process(chunk, state.resampled);
             chunk = chunk.subspan(progress.taken);
