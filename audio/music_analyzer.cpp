@@ -162,8 +162,11 @@ void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexc
     while (!rhythm.empty()) {
         const std::size_t count = std::min(window.size() - filled, rhythm.size());
         std::copy_n(rhythm.data(), count, window.begin() + static_cast<std::ptrdiff_t>(filled));
-        // Only the samples of this hop: the meter must not depend on how much came in at once.
+        // Only the samples of this hop: nothing must depend on how much came in at once.
         loudness.add(rhythm.first(count));
+        if (is_low_wanted()) {
+            mfcc_hops.push(rhythm.first(count));
+        }
         filled += count;
         rhythm = rhythm.subspan(count);
         if (filled == window.size()) {
@@ -361,7 +364,7 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
         }
         state_->recognizer.emplace(std::move(*recognizer));
     }
-    if (auto prepared = state_->mfcc_hops.prepare(config.sample_rate, features.mfcc); !prepared) {
+    if (auto prepared = state_->mfcc_hops.prepare(kRhythmRate, features.mfcc); !prepared) {
         return prepared;
     }
     state_->cepstral_mean = CepstralMean(features.cepstral_mean);
@@ -390,7 +393,7 @@ Expected<void> MusicAnalyzer::change_rate(SampleRate rate, StreamTime taken) {
     if (auto prepared = state.resampler.prepare(rate, kRhythmRate); !prepared) {
         return prepared;
     }
-    if (auto prepared = state.mfcc_hops.change_rate(rate); !prepared) {
+    if (auto prepared = state.mfcc_hops.change_rate(kRhythmRate); !prepared) {
         return prepared;
     }
     state.onsets.limit_to(kPassBand * 0.5 * rate.hertz());
@@ -422,9 +425,6 @@ void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RA
         state.clean_chunk(mono.first(count));
         std::span<const float> chunk = std::span(state.clean).first(count);
         mono = mono.subspan(count);
-        if (state.is_low_wanted()) {
-            state.mfcc_hops.push(chunk);
-        }
         while (!chunk.empty()) {
             const auto progress = state.resampler.process(chunk, state.resampled);
             chunk = chunk.subspan(progress.taken);
