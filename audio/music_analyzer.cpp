@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "audio/genre/tag_source.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/decibels.hpp"
+#include "base/simd_clones.hpp"
 
 namespace raks::audio {
 namespace {
@@ -51,6 +53,23 @@ Expected<void> check_rate(SampleRate rate) {
                     " Hz, must be 8000 to 192000");
     }
     return {};
+}
+
+// NaN would stay in every filter for ever, so it must not get in. Returns how many samples were NaN
+// or infinite.
+RAKS_SIMD_CLONES std::uint32_t clean_samples(const float* input,
+                                             std::size_t count,
+                                             float* __restrict clean) noexcept {
+    std::uint32_t bad = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float sample = input[i];
+        const bool is_good = std::abs(sample) <= std::numeric_limits<float>::max();
+        const float above = sample < -kLoudest ? -kLoudest : sample;
+        const float inside = above > kLoudest ? kLoudest : above;
+        bad += is_good ? 0U : 1U;
+        clean[i] = is_good ? inside : 0.0F;
+    }
+    return bad;
 }
 
 // The genre fields without a model: one class, none, with probability 1.
@@ -104,7 +123,6 @@ struct MusicAnalyzer::State {
     [[nodiscard]] bool is_silent() const noexcept {
         return quiet_hops == kSilentHops || !has_sound;
     }
-    void clean_chunk(std::span<const float> input) noexcept;
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
     void finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING;
     void track(const Onset& onset, MusicState& state) noexcept;
@@ -146,15 +164,6 @@ void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     has_sound = false;
     is_discontinuity = false;
     bad_samples = 0;
-}
-
-// NaN would stay in every filter for ever, so it must not get in.
-void MusicAnalyzer::State::clean_chunk(std::span<const float> input) noexcept {
-    for (std::size_t i = 0; i < input.size(); ++i) {
-        const bool is_good = std::isfinite(input[i]);
-        bad_samples += is_good ? 0 : 1;
-        clean[i] = is_good ? std::clamp(input[i], -kLoudest, kLoudest) : 0.0F;
-    }
 }
 
 // Fills the window with samples at 32 kHz; the rest of it is kept for the next hop.
@@ -422,7 +431,7 @@ void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RA
     // In chunks, as the work space is fixed; the partition does not change any result.
     while (!mono.empty()) {
         const std::size_t count = std::min(mono.size(), kChunk);
-        state.clean_chunk(mono.first(count));
+        state.bad_samples += clean_samples(mono.data(), count, state.clean.data());
         std::span<const float> chunk = std::span(state.clean).first(count);
         mono = mono.subspan(count);
         while (!chunk.empty()) {

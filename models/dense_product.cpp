@@ -1,37 +1,28 @@
 #include "models/dense_product.hpp"
 
-#include <cstring>
-
-#include "base/simd_clones.hpp"
+#include "base/simd_lanes.hpp"
 
 namespace raks::models {
 namespace {
 
-// Neighbouring outputs that are worked on as one value; clones without such registers take two of
-// theirs.
-using Lanes __attribute__((vector_size(32))) = float;
-constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(float);
-
 // The sums of kCount x kLanes outputs stay in registers over all inputs.
 template <std::size_t kCount>
-[[gnu::always_inline]] inline void add_columns(const float* input,
-                                               std::size_t inputs,
-                                               const float* weights,
-                                               std::size_t width,
-                                               float* sums) noexcept {
+RAKS_LANES_INLINE void add_columns(const float* input,
+                                   std::size_t inputs,
+                                   const float* weights,
+                                   std::size_t width,
+                                   float* sums) noexcept {
     Lanes kept[kCount];  // NOLINT: filled below
     for (std::size_t k = 0; k < kCount; ++k) {
-        std::memcpy(&kept[k], sums + k * kLanes, sizeof(Lanes));
+        kept[k] = lanes_at(sums + k * kLanes);
     }
     for (std::size_t i = 0; i < inputs; ++i, weights += width) {
         for (std::size_t k = 0; k < kCount; ++k) {
-            Lanes row;  // NOLINT: filled below
-            std::memcpy(&row, weights + k * kLanes, sizeof(row));
-            kept[k] += input[i] * row;
+            kept[k] += input[i] * lanes_at(weights + k * kLanes);
         }
     }
     for (std::size_t k = 0; k < kCount; ++k) {
-        std::memcpy(sums + k * kLanes, &kept[k], sizeof(Lanes));
+        store_lanes(kept[k], sums + k * kLanes);
     }
 }
 

@@ -28,10 +28,7 @@ FilterBank mel_filters() {
 
 }  // namespace
 
-OnsetDetector::OnsetDetector()
-    : spectrum_(hann_window(kWindow), kWindow),
-      filters_(mel_filters()),
-      magnitude_(static_cast<std::size_t>(spectrum_.bins())) {
+OnsetDetector::OnsetDetector() : spectrum_(hann_window(kWindow), kWindow), filters_(mel_filters()) {
     reset();
 }
 
@@ -57,10 +54,7 @@ void OnsetDetector::reset() noexcept RAKS_NONBLOCKING {
 
 Onset OnsetDetector::compute(std::span<const float> window,
                              bool is_silent) noexcept RAKS_NONBLOCKING {
-    const std::span<const float> power = spectrum_.compute(window);
-    std::transform(
-        power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
-    filters_.apply(magnitude_, magnitudes_);
+    filters_.apply(spectrum_.compute_magnitudes(window), magnitudes_);
     // Bands above the source's limit would stay empty and lower the flux of the high group.
     std::fill(magnitudes_.begin() + static_cast<std::ptrdiff_t>(whole_bands_),
               magnitudes_.end(),

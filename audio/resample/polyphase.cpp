@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "base/simd_clones.hpp"
+#include "base/simd_lanes.hpp"
 
 namespace raks::audio {
 namespace {
@@ -55,9 +55,6 @@ void fill_row(std::span<float> row, double fraction, double cutoff) {
     });
 }
 
-using Lanes __attribute__((vector_size(32))) = float;
-constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(float);
-
 // Where a run of outputs reads.
 struct Walk {
     const float* buffer;
@@ -76,9 +73,7 @@ struct Product {
 };
 
 // The next output's; the walk goes on to the one after it.
-[[gnu::always_inline]] inline Product next_product(Walk& walk,
-                                                   std::size_t whole,
-                                                   std::size_t part) noexcept {
+RAKS_LANES_INLINE Product next_product(Walk& walk, std::size_t whole, std::size_t part) noexcept {
     const Product product{walk.buffer + walk.at, walk.rows + walk.phase * walk.taps};
     walk.at += whole;
     walk.phase += part;
@@ -90,19 +85,13 @@ struct Product {
 }
 
 // sum += samples x weights, lane by lane.
-[[gnu::always_inline]] inline void add_lanes(Lanes& sum,
-                                             const Product& product,
-                                             std::size_t i) noexcept {
-    Lanes samples;  // NOLINT: filled below
-    Lanes weights;  // NOLINT: filled below
-    std::memcpy(&samples, product.samples + i, sizeof(samples));
-    std::memcpy(&weights, product.weights + i, sizeof(weights));
-    sum += samples * weights;
+RAKS_LANES_INLINE void add_lanes(Lanes& sum, const Product& product, std::size_t i) noexcept {
+    sum += lanes_at(product.samples + i) * lanes_at(product.weights + i);
 }
 
 // Sums of the lanes of four outputs, which end in lanes 0 to 3: of lanes i and i + 4 first, then of
 // i and i + 2, then of the two that are left.
-[[gnu::always_inline]] inline void add_up(const std::array<Lanes, 4>& sums, Lanes& made) noexcept {
+RAKS_LANES_INLINE Lanes add_up(const std::array<Lanes, 4>& sums) noexcept {
     const Lanes first = __builtin_shufflevector(sums[0], sums[1], 0, 1, 2, 3, 8, 9, 10, 11) +
                         __builtin_shufflevector(sums[0], sums[1], 4, 5, 6, 7, 12, 13, 14, 15);
     const Lanes second = __builtin_shufflevector(sums[2], sums[3], 0, 1, 2, 3, 8, 9, 10, 11) +
@@ -110,7 +99,7 @@ struct Product {
     // In pairs of lanes: of outputs 0, 2, 1 and 3.
     const Lanes pairs = __builtin_shufflevector(first, second, 0, 1, 8, 9, 4, 5, 12, 13) +
                         __builtin_shufflevector(first, second, 2, 3, 10, 11, 6, 7, 14, 15);
-    made = __builtin_shufflevector(pairs, pairs, 0, 4, 2, 6, 0, 4, 2, 6) +
+    return __builtin_shufflevector(pairs, pairs, 0, 4, 2, 6, 0, 4, 2, 6) +
            __builtin_shufflevector(pairs, pairs, 1, 5, 3, 7, 1, 5, 3, 7);
 }
 
@@ -133,8 +122,7 @@ RAKS_SIMD_CLONES void make_samples(Walk& walk, std::size_t count, float* __restr
             add_lanes(sums[2], products[2], i);
             add_lanes(sums[3], products[3], i);
         }
-        Lanes made;  // NOLINT: filled below
-        add_up(sums, made);
+        const Lanes made = add_up(sums);
         if (group == products.size()) {
             std::memcpy(out, &made, products.size() * sizeof(float));
         } else {

@@ -17,8 +17,8 @@ namespace raks::audio {
 /// than 95 dB down from the band's end on.
 ///
 /// Output sample k belongs exactly to time k / to. The same bits on every machine and for any
-/// division of the input into calls. Cost: 60 instructions (AVX2) a sample from 48 to 32 kHz, a
-/// fifth of libspeexdsp's (docs/decisions/0001).
+/// division of the input into calls. Cost: 81 instructions (AVX2) an output sample
+/// from 48 to 32 kHz, a third of libspeexdsp's (docs/decisions/0001).
 /// Threads: one. Real-time: process, reset yes.
 class PolyphaseResampler {
  public:
