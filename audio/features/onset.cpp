@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audio/features/log_magnitudes.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -65,9 +67,7 @@ Onset OnsetDetector::compute(std::span<const float> window,
 Onset OnsetDetector::compute_from_mel(std::span<const float> magnitudes,
                                       bool is_silent) noexcept RAKS_NONBLOCKING {
     LogMel now{};
-    std::transform(magnitudes.begin(), magnitudes.end(), now.begin(), [](float magnitude) {
-        return std::log1p(kCompression * magnitude);
-    });
+    log_magnitudes(magnitudes, kCompression, now);
     // The flux needs the two windows before the last hop.
     Onset onset;
     if (hops_ >= 3) {
