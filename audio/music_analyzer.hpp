@@ -98,7 +98,8 @@ class MusicAnalyzer {
 
     /// Takes the next samples, nominally in [-1, 1]; NaN and infinities count as 0, louder samples
     /// than +-16 are clamped. Hands out the states that became complete: none to many.
-    /// Cost: about 60 us a hop; nothing grows with the length of the stream.
+    /// Cost: about 22 us a hop, with a genre model 40 to 50; nothing grows with the length of the
+    /// stream.
     void process(std::span<const float> mono, Sink& sink) noexcept RAKS_NONBLOCKING;
 
     /// Queues a command (16 wait at most; more are dropped).
