@@ -43,7 +43,7 @@ double sinc(double x) { return std::abs(x) < 1e-9 ? 1.0 : std::sin(M_PI * x) / (
 // Row of an output sample that lies `fraction` of a sample behind the input sample in the middle.
 // The weights of each sum to 1, so that all pass a constant alike.
 void fill_row(std::span<float> row, double fraction, double cutoff) {
-    const auto half = static_cast<double>(row.size() / 2);
+    const auto half = 0.5 * static_cast<double>(row.size());  // taps are even in number
     std::vector<double> weights(row.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
         const double t = static_cast<double>(i) - (half - 1.0) - fraction;
