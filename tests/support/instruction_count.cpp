@@ -26,7 +26,9 @@ std::string no_instruction_count() {
 #endif
 }
 
-long long instructions_in(const std::string& function, const std::string& test) {
+long long instructions_in(const std::string& function,
+                          const std::string& test,
+                          const std::string& file) {
     ProcessPlan plan;
     plan.command = {"valgrind",
                     "--tool=callgrind",
@@ -35,6 +37,7 @@ long long instructions_in(const std::string& function, const std::string& test) 
                     std::filesystem::read_symlink("/proc/self/exe").string(),
                     "--gtest_filter=" + test,
                     "--gtest_also_run_disabled_tests"};
+    plan.environment = {{"RAKS_TEST_FILE", file}};
     plan.timeout = std::chrono::minutes(5);
     const ProcessResult result = run_process(plan);
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;

@@ -10,7 +10,10 @@ namespace raks::test {
 
 /// Instructions that `function` (a pattern of callgrind's) and all that it calls execute, while
 /// this test program runs `test` ("Suite.DISABLED_name"). Fails the calling test, and is 0, where
-/// that does. Unlike times they are the same on a busy machine.
-[[nodiscard]] long long instructions_in(const std::string& function, const std::string& test);
+/// that does. Unlike times they are the same on a busy machine. `file`: for the test, which finds
+/// its name in the environment as RAKS_TEST_FILE.
+[[nodiscard]] long long instructions_in(const std::string& function,
+                                        const std::string& test,
+                                        const std::string& file = "");
 
 }  // namespace raks::test
