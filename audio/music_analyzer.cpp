@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "audio/genre/tag_source.hpp"
 #include "audio/resample/resampler.hpp"
 #include "base/decibels.hpp"
+#include "base/simd_clones.hpp"
 
 namespace raks::audio {
 namespace {
@@ -53,6 +55,23 @@ Expected<void> check_rate(SampleRate rate) {
     return {};
 }
 
+// NaN would stay in every filter for ever, so it must not get in. Returns how many samples were NaN
+// or infinite.
+RAKS_SIMD_CLONES std::uint32_t clean_samples(const float* input,
+                                             std::size_t count,
+                                             float* __restrict clean) noexcept {
+    std::uint32_t bad = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float sample = input[i];
+        const bool is_good = std::abs(sample) <= std::numeric_limits<float>::max();
+        const float above = sample < -kLoudest ? -kLoudest : sample;
+        const float inside = above > kLoudest ? kLoudest : above;
+        bad += is_good ? 0U : 1U;
+        clean[i] = is_good ? inside : 0.0F;
+    }
+    return bad;
+}
+
 // The genre fields without a model: one class, none, with probability 1.
 void leave_genre_unknown(MusicState& state) noexcept {
     state.genre_log_probability.fill(-20.0F);
@@ -64,7 +83,7 @@ void leave_genre_unknown(MusicState& state) noexcept {
 // The samples at 32 kHz run through a window of 1,024 samples; each hop of 320 makes one state.
 struct MusicAnalyzer::State {
     Resampler resampler;
-    LoudnessMeter loudness;
+    LoudnessMeter loudness{kRhythmRate};
     OnsetDetector onsets;
     BeatTracker tracker;
     TrackedHop tracked;  // the newest hop, as the tracker got it
@@ -76,6 +95,9 @@ struct MusicAnalyzer::State {
     FormTracker form;
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
+    bool is_mfcc_wanted = false;  // by a genre model, or by who reads them
+    // Somebody hears the sound at 16 kHz: it costs a resampler.
+    [[nodiscard]] bool is_low_wanted() const noexcept { return is_mfcc_wanted || tags; }
     std::optional<GenreRecognizer> recognizer;
     std::shared_ptr<TagSource> tags;              // may be null
     TaggerHop tagged;                             // the newest hop, as the tagger got it
@@ -101,7 +123,6 @@ struct MusicAnalyzer::State {
     [[nodiscard]] bool is_silent() const noexcept {
         return quiet_hops == kSilentHops || !has_sound;
     }
-    void clean_chunk(std::span<const float> input) noexcept;
     void take(std::span<const float> rhythm, Sink& sink) noexcept;
     void finish_hop(Sink& sink) noexcept RAKS_NONBLOCKING;
     void track(const Onset& onset, MusicState& state) noexcept;
@@ -145,22 +166,16 @@ void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     bad_samples = 0;
 }
 
-// NaN would stay in every filter for ever, so it must not get in.
-void MusicAnalyzer::State::clean_chunk(std::span<const float> input) noexcept {
-    for (std::size_t i = 0; i < input.size(); ++i) {
-        const bool is_good = std::isfinite(input[i]);
-        bad_samples += is_good ? 0 : 1;
-        clean[i] = is_good ? std::clamp(input[i], -kLoudest, kLoudest) : 0.0F;
-    }
-}
-
 // Fills the window with samples at 32 kHz; the rest of it is kept for the next hop.
 void MusicAnalyzer::State::take(std::span<const float> rhythm, Sink& sink) noexcept {
     while (!rhythm.empty()) {
         const std::size_t count = std::min(window.size() - filled, rhythm.size());
         std::copy_n(rhythm.data(), count, window.begin() + static_cast<std::ptrdiff_t>(filled));
-        // Only the samples of this hop: the meter must not depend on how much came in at once.
+        // Only the samples of this hop: nothing must depend on how much came in at once.
         loudness.add(rhythm.first(count));
+        if (is_low_wanted()) {
+            mfcc_hops.push(rhythm.first(count));
+        }
         filled += count;
         rhythm = rhythm.subspan(count);
         if (filled == window.size()) {
@@ -250,6 +265,10 @@ void MusicAnalyzer::State::hear_tags(MusicState& state) noexcept {
 void MusicAnalyzer::State::score_mfcc(const MusicState& state) noexcept {
     const auto place = [](HopIndex hop) { return static_cast<std::size_t>(hop) % kLevelsKept; };
     level_dbfs[place(state.hop)] = state.level_dbfs;
+    if (!is_mfcc_wanted) {
+        mfcc_hops.discard();
+        return;
+    }
     const MfccVector* vector = mfcc_hops.next();
     if (vector == nullptr || state.hop < MfccHops::kHopsBehind) {
         return;
@@ -295,7 +314,9 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
         std::fill_n(window.begin() + static_cast<std::ptrdiff_t>(filled), count, 0.0F);
         filled += static_cast<std::size_t>(count);
         // 32 kHz to 16 kHz; the number of lost samples is even, so both clocks stay together.
-        mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
+        if (is_low_wanted()) {
+            mfcc_hops.push_lost(static_cast<int>((left + 1) / 2 - (left - count + 1) / 2));
+        }
         left -= count;
         if (filled == window.size()) {
             MusicState state;
@@ -314,7 +335,7 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
                 tracker.advance_blind(state.hop, state);
             }
             form.advance_lost(state);
-            mfcc_hops.next_lost();
+            mfcc_hops.discard();
             level_dbfs.fill(kLowestLevel);
             hand_out(state, sink);
             std::copy(window.begin() + OnsetDetector::kHop, window.end(), window.begin());
@@ -337,7 +358,8 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     }
     // A genre model defines the MFCC that it was trained on.
     GenreFeatures features;
-    features.cepstral_mean = config.cepstral_mean;
+    features.cepstral_mean = config.cepstral_mean.value_or(CepstralMeanConfig());
+    state_->is_mfcc_wanted = config.genre_model || config.cepstral_mean;
     state_->tags = config.tags;
     state_->recognizer.reset();
     if (config.genre_model) {
@@ -351,13 +373,10 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
         }
         state_->recognizer.emplace(std::move(*recognizer));
     }
-    if (auto prepared = state_->mfcc_hops.prepare(config.sample_rate, features.mfcc); !prepared) {
+    if (auto prepared = state_->mfcc_hops.prepare(kRhythmRate, features.mfcc); !prepared) {
         return prepared;
     }
     state_->cepstral_mean = CepstralMean(features.cepstral_mean);
-    if (auto prepared = state_->loudness.prepare(kRhythmRate); !prepared) {
-        return prepared;
-    }
     // Bands above the source's own limit hold nothing.
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
@@ -383,7 +402,7 @@ Expected<void> MusicAnalyzer::change_rate(SampleRate rate, StreamTime taken) {
     if (auto prepared = state.resampler.prepare(rate, kRhythmRate); !prepared) {
         return prepared;
     }
-    if (auto prepared = state.mfcc_hops.change_rate(rate); !prepared) {
+    if (auto prepared = state.mfcc_hops.change_rate(kRhythmRate); !prepared) {
         return prepared;
     }
     state.onsets.limit_to(kPassBand * 0.5 * rate.hertz());
@@ -392,7 +411,9 @@ Expected<void> MusicAnalyzer::change_rate(SampleRate rate, StreamTime taken) {
                               static_cast<std::int64_t>(OnsetDetector::kWindow / 2);
     const std::int64_t made_16k = state.next_hop * static_cast<std::int64_t>(MfccStream::kHop) +
                                   static_cast<std::int64_t>(state.mfcc_hops.waiting());
-    state.mfcc_hops.push_lost(static_cast<int>(made / 2 - made_16k));
+    if (state.is_low_wanted()) {
+        state.mfcc_hops.push_lost(static_cast<int>(made / 2 - made_16k));
+    }
     // To an even place, see jump_gap().
     const std::int64_t place = (kRhythmRate.index_at(taken) + 1) / 2 * 2;
     state.lost_samples = std::max<std::int64_t>(0, place - made);
@@ -410,10 +431,9 @@ void MusicAnalyzer::process(std::span<const float> mono, Sink& sink) noexcept RA
     // In chunks, as the work space is fixed; the partition does not change any result.
     while (!mono.empty()) {
         const std::size_t count = std::min(mono.size(), kChunk);
-        state.clean_chunk(mono.first(count));
+        state.bad_samples += clean_samples(mono.data(), count, state.clean.data());
         std::span<const float> chunk = std::span(state.clean).first(count);
         mono = mono.subspan(count);
-        state.mfcc_hops.push(chunk);
         while (!chunk.empty()) {
             const auto progress = state.resampler.process(chunk, state.resampled);
             chunk = chunk.subspan(progress.taken);

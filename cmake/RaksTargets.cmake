@@ -29,12 +29,12 @@ function(raks_add_to name)
 endfunction()
 
 # raks_vectorized(audio_analyzer a.cpp ...)
-# compiles these sources of a library with -O3, and without contraction, so that all clones of a loop
-# give the same bits.
+# compiles these sources of a library with -O3, without contraction, so that all clones of a loop give
+# the same bits, and without errno after a square root, which no register of several could set.
 function(raks_vectorized name)
     # GCC 12 breaks down over clones of functions behind a header that was compiled with other options.
     set_source_files_properties(${ARGN} TARGET_DIRECTORY raks_${name}
-        PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=off" SKIP_PRECOMPILE_HEADERS ON)
+        PROPERTIES COMPILE_OPTIONS "-O3;-ffp-contract=off;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # raks_compile_quickly(render_import)

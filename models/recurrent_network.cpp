@@ -18,11 +18,22 @@ RAKS_SIMD_CLONES void open_gates(const float* from_input,
                                  const float* from_hidden,
                                  std::size_t units,
                                  float* __restrict hidden) noexcept {
+    // fast_tanh() and logistic(), with the clamping in loops of its own: so all are vectorized.
+    std::array<float, 2 * RecurrentNetwork::kMaxUnits> gates;   // NOLINT: filled below
+    std::array<float, RecurrentNetwork::kMaxUnits> candidates;  // NOLINT: filled below
+    for (std::size_t i = 0; i < 2 * units; ++i) {
+        gates[i] = gate_range(from_input[i] + from_hidden[i]);
+    }
+    for (std::size_t i = 0; i < 2 * units; ++i) {
+        gates[i] = logistic_in_range(gates[i]);
+    }
     for (std::size_t i = 0; i < units; ++i) {
-        const float reset = logistic(from_input[i] + from_hidden[i]);
-        const float keep = logistic(from_input[units + i] + from_hidden[units + i]);
-        const float candidate =
-            fast_tanh(from_input[2 * units + i] + reset * from_hidden[2 * units + i]);
+        candidates[i] =
+            gate_range(2.0F * (from_input[2 * units + i] + gates[i] * from_hidden[2 * units + i]));
+    }
+    for (std::size_t i = 0; i < units; ++i) {
+        const float keep = gates[units + i];
+        const float candidate = 2.0F * logistic_in_range(candidates[i]) - 1.0F;
         hidden[i] = (1.0F - keep) * candidate + keep * hidden[i];
     }
 }

@@ -70,8 +70,8 @@ class RecurrentNetwork {
 };
 
 /// State of a network on one stream; runs it frame by frame from zero states.
-/// Cost: units x (inputs + units) x 3 multiply-adds a layer; 3 us a frame for two layers of 64.
-/// Threads: one. Real-time: next, reset yes.
+/// Cost: units x (inputs + units) x 3 multiply-adds a layer; 18,000 instructions (AVX2) a frame of
+/// 54 inputs and two layers of 64. Threads: one. Real-time: next, reset yes.
 class RecurrentStream {
  public:
     /// Outputs before any squashing.

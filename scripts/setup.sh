@@ -11,7 +11,7 @@ declare -A lists=(
     # The compiler, and the libraries of the programs raks, raks-decode and raks-import.
     [build]="g++ cmake ninja-build pkg-config
         portaudio19-dev libjack-jackd2-dev libpulse-dev libasound2-dev libdbus-1-dev libsndfile1-dev libspeexdsp-dev
-        libkissfft-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+        libkissfft-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
         libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
         libmeshoptimizer-dev libassimp-dev libdraco-dev nlohmann-json3-dev libsimdjson-dev
@@ -24,7 +24,7 @@ declare -A lists=(
     # Pictures through PipeWire: play and live --video-out pipewire.
     [stream]="libpipewire-0.3-dev"
     # What the tests need that open no window and no sound device.
-    [test]="git ccache mold libgtest-dev libgmock-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
+    [test]="git ccache mold libgtest-dev libgmock-dev libebur128-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display, checkers of code and of packages: all that CI runs.
     [ci]="jackd2 pulseaudio pulseaudio-utils libasound2-plugins dbus xvfb xdotool x11-utils picom
         gstreamer1.0-tools gstreamer1.0-plugins-base

@@ -1,10 +1,12 @@
 #include "audio/beat/beat_pointer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <span>
+
+#include "base/simd_lanes.hpp"
+#include "models/dense_product.hpp"
 
 namespace raks::audio {
 namespace {
@@ -13,41 +15,59 @@ namespace {
 constexpr double kNearTempo = 0.06;  // ratio
 constexpr double kNearPhase = 0.12;  // beats
 
-// Sum in eight strands: the compiler vectorizes it, and the order of additions, and so the result,
-// is fixed.
-float sum_of(const std::vector<float>& values) noexcept {
-    std::array<float, 8> strands{};
+// Sum in eight strands: the order of additions, and so the result, is fixed.
+RAKS_SIMD_CLONES float sum_of(const float* values, std::size_t count) noexcept {
+    Lanes lanes{};
     std::size_t i = 0;
-    for (; i + strands.size() <= values.size(); i += strands.size()) {
-        for (std::size_t lane = 0; lane < strands.size(); ++lane) {
-            strands[lane] += values[i + lane];
-        }
+    for (; i + kLanes <= count; i += kLanes) {
+        lanes += lanes_at(values + i);
     }
     float total = 0.0F;
-    for (; i < values.size(); ++i) {
+    for (; i < count; ++i) {
         total += values[i];
     }
-    for (const float strand : strands) {
-        total += strand;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        total += lanes[lane];
     }
     return total;
 }
 
-// Index of the greatest value, the first of equals. In strands as above: 4 us a hop faster than
-// std::max_element.
-std::size_t greatest(const std::vector<float>& values) noexcept {
-    std::array<float, 16> strands{};  // probabilities: none is negative
-    std::size_t i = 0;
-    for (; i + strands.size() <= values.size(); i += strands.size()) {
-        for (std::size_t lane = 0; lane < strands.size(); ++lane) {
-            strands[lane] = std::max(strands[lane], values[i + lane]);
+RAKS_SIMD_CLONES void scale_values(const float* values,
+                                   std::size_t count,
+                                   float scale,
+                                   float* __restrict scaled) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        scaled[i] = values[i] * scale;
+    }
+}
+
+// Index of the greatest value, the first of equals; none is negative.
+RAKS_SIMD_CLONES std::size_t greatest(const float* values, std::size_t count) noexcept {
+    constexpr std::size_t kBlock = 128;
+    // The first block that holds the greatest, then the place in it.
+    float most = -1.0F;
+    std::size_t block = 0;
+    for (std::size_t first = 0; first < count; first += kBlock) {
+        const std::size_t end = std::min(first + kBlock, count);
+        Lanes lanes{};
+        std::size_t i = first;
+        for (; i + kLanes <= end; i += kLanes) {
+            const Lanes next = lanes_at(values + i);
+            lanes = lanes < next ? next : lanes;
+        }
+        float here = 0.0F;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            here = std::max(here, lanes[lane]);
+        }
+        for (; i < end; ++i) {
+            here = std::max(here, values[i]);
+        }
+        if (here > most) {
+            most = here;
+            block = first;
         }
     }
-    float most = *std::max_element(strands.begin(), strands.end());
-    for (; i < values.size(); ++i) {
-        most = std::max(most, values[i]);
-    }
-    return static_cast<std::size_t>(std::find(values.begin(), values.end(), most) - values.begin());
+    return static_cast<std::size_t>(std::find(values + block, values + count, most) - values);
 }
 
 }  // namespace
@@ -57,6 +77,7 @@ BeatPointer::BeatPointer(const BeatPointerConfig& config)
       prior_(states_.size()),
       probability_(states_.size()),
       moved_(states_.size()),
+      leavings_(states_.tempi().size()),
       arrivals_(states_.tempi().size()) {
     reset();
 }
@@ -90,29 +111,29 @@ void BeatPointer::open_positions() noexcept RAKS_NONBLOCKING {
 void BeatPointer::move() noexcept {
     const std::span<const PointerStates::Tempo> tempi = states_.tempi();
     std::fill(arrivals_.begin(), arrivals_.end(), 0.0F);
-    for (std::size_t from = 0; from < tempi.size(); ++from) {
-        const float leaving = probability_[tempi[from].state(tempi[from].hops - 1)];
-        const float* const row = states_.transitions(from).data();
-        for (std::size_t to = 0; to < tempi.size(); ++to) {
-            arrivals_[to] += leaving * row[to];
-        }
-    }
-    // One copy moves all tempi, as their states follow each other; first states are set below.
-    std::copy(probability_.begin(), probability_.end() - 1, moved_.begin() + 1);
+    std::transform(
+        tempi.begin(), tempi.end(), leavings_.begin(), [this](const PointerStates::Tempo& tempo) {
+            return probability_[tempo.state(tempo.hops - 1)];
+        });
+    models::add_product(leavings_.data(),
+                        tempi.size(),
+                        states_.transitions().data(),
+                        tempi.size(),
+                        arrivals_.data());
+    // Tempo by tempo: glibc makes one long copy byte by byte.
     for (std::size_t i = 0; i < tempi.size(); ++i) {
+        const std::size_t beat = tempi[i].state(0);
+        std::copy_n(&probability_[beat], tempi[i].hops - 1, &moved_[beat + 1]);
         // A tempo that is ruled out (prior 0) must not be reached by many small tempo changes
         // either.
-        const std::size_t beat = tempi[i].state(0);
         moved_[beat] = prior_[beat] > 0.0F ? arrivals_[i] : 0.0F;
     }
 }
 
 // moved_ becomes the posterior.
 void BeatPointer::normalize() noexcept {
-    const float scale = 1.0F / sum_of(moved_);
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-        probability_[i] = moved_[i] * scale;
-    }
+    const float scale = 1.0F / sum_of(moved_.data(), moved_.size());
+    scale_values(moved_.data(), moved_.size(), scale, probability_.data());
 }
 
 void BeatPointer::advance(float onset_strength) noexcept RAKS_NONBLOCKING {
@@ -136,7 +157,7 @@ void BeatPointer::advance_blind() noexcept RAKS_NONBLOCKING {
 // Weighted means over the states near the best one: finer than a state, and stable where
 // probability is shared by neighbours.
 PointerEstimate BeatPointer::estimate() const noexcept RAKS_NONBLOCKING {
-    const auto best = static_cast<int>(greatest(probability_));
+    const auto best = static_cast<int>(greatest(probability_.data(), probability_.size()));
     const auto at = std::upper_bound(states_.tempi().begin(),
                                      states_.tempi().end(),
                                      best,

@@ -67,7 +67,8 @@ class BeatPointer {
     std::vector<float> prior_;        // the prior in force
     std::vector<float> probability_;  // of every state
     std::vector<float> moved_;        // work space
-    std::vector<float> arrivals_;     // probability that a beat of each tempo ends now
+    std::vector<float> leavings_;     // probability that a beat of each tempo ends now
+    std::vector<float> arrivals_;     // and that one of each begins
 };
 
 }  // namespace raks::audio

@@ -66,6 +66,8 @@ class PointerStates {
     [[nodiscard]] std::span<const float> transitions(std::size_t from) const noexcept {
         return std::span(transition_).subspan(from * tempi_.size(), tempi_.size());
     }
+    /// Those of all tempi, one row after the other.
+    [[nodiscard]] std::span<const float> transitions() const noexcept { return transition_; }
     /// Share of the prior that is mixed in each hop.
     [[nodiscard]] float leak() const noexcept { return static_cast<float>(config_.leak); }
 

@@ -83,7 +83,7 @@ const MfccVector* MfccHops::next() noexcept RAKS_NONBLOCKING {
 }
 
 // A frame that spans a gap would hold a false onset: all frames so far are dropped.
-void MfccHops::next_lost() noexcept RAKS_NONBLOCKING {
+void MfccHops::discard() noexcept RAKS_NONBLOCKING {
     const std::size_t count = std::min(queued_, kHopSamples);
     std::copy_n(
         queue_.begin() + static_cast<std::ptrdiff_t>(count), queued_ - count, queue_.begin());

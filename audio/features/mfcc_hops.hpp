@@ -51,9 +51,9 @@ class MfccHops {
 
     /// Puts this many samples of silence at 16 kHz in place of samples that were lost.
     void push_lost(int samples) noexcept RAKS_NONBLOCKING;
-    /// In place of next() for a hop inside a gap: discards the hop's samples, and frames start anew
-    /// after it.
-    void next_lost() noexcept RAKS_NONBLOCKING;
+    /// In place of next() for a hop inside a gap, or one whose MFCC nobody wants: discards the
+    /// hop's samples, and frames start anew after it.
+    void discard() noexcept RAKS_NONBLOCKING;
     /// Forgets the stream, as after prepare().
     void reset() noexcept RAKS_NONBLOCKING;
 

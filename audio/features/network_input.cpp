@@ -1,8 +1,9 @@
 #include "audio/features/network_input.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+
+#include "audio/features/log_magnitudes.hpp"
 
 namespace raks::audio {
 namespace {
@@ -26,9 +27,7 @@ NetworkInput::Frame NetworkInput::next(std::span<const float> mel_magnitudes) no
     level_ += (mean > level_ ? kRise : kFall) * (mean - level_);
     const float scale = kInputCompression / std::max(level_, kLowestLevel);
     Bands now{};
-    for (std::size_t band = 0; band < kBands; ++band) {
-        now[band] = std::log1p(scale * mel_magnitudes[band]);
-    }
+    log_magnitudes(mel_magnitudes.first(kBands), scale, now);
     // Start of the stream: no earlier hop to compare with.
     if (hops_ < 2) {
         history_[static_cast<std::size_t>(hops_)] = now;

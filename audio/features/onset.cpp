@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audio/features/log_magnitudes.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -28,10 +30,7 @@ FilterBank mel_filters() {
 
 }  // namespace
 
-OnsetDetector::OnsetDetector()
-    : spectrum_(hann_window(kWindow), kWindow),
-      filters_(mel_filters()),
-      magnitude_(static_cast<std::size_t>(spectrum_.bins())) {
+OnsetDetector::OnsetDetector() : spectrum_(hann_window(kWindow), kWindow), filters_(mel_filters()) {
     reset();
 }
 
@@ -57,10 +56,7 @@ void OnsetDetector::reset() noexcept RAKS_NONBLOCKING {
 
 Onset OnsetDetector::compute(std::span<const float> window,
                              bool is_silent) noexcept RAKS_NONBLOCKING {
-    const std::span<const float> power = spectrum_.compute(window);
-    std::transform(
-        power.begin(), power.end(), magnitude_.begin(), [](float p) { return std::sqrt(p); });
-    filters_.apply(magnitude_, magnitudes_);
+    filters_.apply(spectrum_.compute_magnitudes(window), magnitudes_);
     // Bands above the source's limit would stay empty and lower the flux of the high group.
     std::fill(magnitudes_.begin() + static_cast<std::ptrdiff_t>(whole_bands_),
               magnitudes_.end(),
@@ -71,9 +67,7 @@ Onset OnsetDetector::compute(std::span<const float> window,
 Onset OnsetDetector::compute_from_mel(std::span<const float> magnitudes,
                                       bool is_silent) noexcept RAKS_NONBLOCKING {
     LogMel now{};
-    std::transform(magnitudes.begin(), magnitudes.end(), now.begin(), [](float magnitude) {
-        return std::log1p(kCompression * magnitude);
-    });
+    log_magnitudes(magnitudes, kCompression, now);
     // The flux needs the two windows before the last hop.
     Onset onset;
     if (hops_ >= 3) {

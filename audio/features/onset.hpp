@@ -66,8 +66,7 @@ class OnsetDetector {
 
     PowerSpectrum spectrum_;
     FilterBank filters_;
-    std::size_t whole_bands_ = kMelBands;  // mel bands below the source's limit
-    std::vector<float> magnitude_;
+    std::size_t whole_bands_ = kMelBands;        // mel bands below the source's limit
     std::array<float, kMelBands> magnitudes_{};  // of the mel bands
     std::array<LogMel, kHistory> history_{};     // of the last hops, ring
     int hops_ = 0;

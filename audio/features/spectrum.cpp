@@ -1,58 +1,55 @@
 #include "audio/features/spectrum.hpp"
 
-#include <kiss_fftr.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/simd_lanes.hpp"
 
 namespace raks::audio {
 
-// kissfft's plan and the buffers of one transform: compute() allocates nothing.
-struct PowerSpectrum::Plan {
-    Plan(std::vector<float> window_in, int fft_size)
-        : window(std::move(window_in)),
-          samples(static_cast<std::size_t>(fft_size)),
-          bins(static_cast<std::size_t>(fft_size / 2 + 1)),
-          power(bins.size()),
-          config(kiss_fftr_alloc(fft_size, 0, nullptr, nullptr)) {}
-    ~Plan() { kiss_fftr_free(config); }
-    Plan(const Plan&) = delete;
-    Plan& operator=(const Plan&) = delete;
+namespace {
 
-    std::vector<float> window;
-    std::vector<float> samples;  // longer than the window: what is behind it stays 0
-    std::vector<kiss_fft_cpx> bins;
-    std::vector<float> power;
-    kiss_fftr_cfg config;
-};
+RAKS_SIMD_CLONES void multiply(const float* a,
+                               const float* b,
+                               std::size_t count,
+                               float* __restrict product) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        product[i] = a[i] * b[i];
+    }
+}
+
+RAKS_SIMD_CLONES void take_roots(const float* values,
+                                 std::size_t count,
+                                 float* __restrict roots) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        roots[i] = std::sqrt(values[i]);
+    }
+}
+
+}  // namespace
 
 PowerSpectrum::PowerSpectrum(std::vector<float> window, int fft_size)
-    : plan_(std::make_unique<Plan>(std::move(window), fft_size)) {}
-PowerSpectrum::~PowerSpectrum() = default;
-PowerSpectrum::PowerSpectrum(PowerSpectrum&&) noexcept = default;
-PowerSpectrum& PowerSpectrum::operator=(PowerSpectrum&&) noexcept = default;
+    : window_(std::move(window)),
+      samples_(static_cast<std::size_t>(fft_size)),
+      power_(samples_.size() / 2 + 1),
+      magnitudes_(power_.size()),
+      transform_(samples_.size()) {}
 
 std::span<const float> PowerSpectrum::compute(std::span<const float> samples) noexcept
     RAKS_NONBLOCKING {
-    Plan& plan = *plan_;
-    RAKS_ASSERT(samples.size() == plan.window.size());
-    std::transform(samples.begin(),
-                   samples.end(),
-                   plan.window.begin(),
-                   plan.samples.begin(),
-                   [](float sample, float weight) { return sample * weight; });
-    // KISS FFT works in what its plan holds where input and output are apart.
-    RAKS_TRUSTED(kiss_fftr(plan.config, plan.samples.data(), plan.bins.data()));
-    std::transform(plan.bins.begin(), plan.bins.end(), plan.power.begin(), [](kiss_fft_cpx x) {
-        return x.r * x.r + x.i * x.i;
-    });
-    return plan.power;
+    RAKS_ASSERT(samples.size() == window_.size());
+    multiply(samples.data(), window_.data(), samples.size(), samples_.data());
+    transform_.power_spectrum(samples_, power_);
+    return power_;
 }
 
-int PowerSpectrum::bins() const noexcept { return static_cast<int>(plan_->power.size()); }
+std::span<const float> PowerSpectrum::compute_magnitudes(std::span<const float> samples) noexcept
+    RAKS_NONBLOCKING {
+    take_roots(compute(samples).data(), power_.size(), magnitudes_.data());
+    return magnitudes_;
+}
 
 namespace {
 
@@ -99,6 +96,32 @@ FilterBank sparse(const DenseFilters& dense) {
 
 }  // namespace
 
+namespace {
+
+// The bands of a spectrum: eight bins at a time, then those that are left.
+RAKS_SIMD_CLONES void weigh_bins(std::span<const FilterBank::Filter> filters,
+                                 const float* spectrum,
+                                 float* __restrict bands) noexcept {
+    for (std::size_t band = 0; band < filters.size(); ++band) {
+        const FilterBank::Filter& filter = filters[band];
+        const float* const bins = spectrum + filter.first_bin;
+        const float* const weights = filter.weights.data();
+        const std::size_t count = filter.weights.size();
+        std::size_t i = 0;
+        Lanes sums{};
+        for (; i + kLanes <= count; i += kLanes) {
+            sums += lanes_at(bins + i) * lanes_at(weights + i);
+        }
+        float sum = count < kLanes ? 0.0F : sum_of_lanes(sums);
+        for (; i < count; ++i) {
+            sum += bins[i] * weights[i];
+        }
+        bands[band] = sum;
+    }
+}
+
+}  // namespace
+
 FilterBank::FilterBank(std::vector<Filter> filters) : filters_(std::move(filters)) {}
 
 int FilterBank::size_below(int bin) const noexcept {
@@ -112,15 +135,7 @@ int FilterBank::size_below(int bin) const noexcept {
 void FilterBank::apply(std::span<const float> spectrum,
                        std::span<float> bands) const noexcept RAKS_NONBLOCKING {
     RAKS_ASSERT(bands.size() == filters_.size());
-    for (std::size_t band = 0; band < filters_.size(); ++band) {
-        const Filter& filter = filters_[band];
-        const float* const bins = spectrum.data() + filter.first_bin;
-        float sum = 0.0F;
-        for (std::size_t i = 0; i < filter.weights.size(); ++i) {
-            sum += bins[i] * filter.weights[i];
-        }
-        bands[band] = sum;
-    }
+    weigh_bins(filters_, spectrum.data(), bands.data());
 }
 
 FilterBank htk_filter_bank(const MelConfig& config) {

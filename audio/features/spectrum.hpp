@@ -1,37 +1,37 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "audio/features/real_fft.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
 
-/// Power spectrum of one windowed stretch of real samples (kissfft, planned when made).
-/// Threads: one. Real-time: compute yes.
+/// Power spectrum of one windowed stretch of real samples (RealFft, planned when made).
+/// Threads: one. Real-time: compute, compute_magnitudes yes.
 class PowerSpectrum {
  public:
     /// `window`: factors of the samples, window.size() <= fft_size; the rest of the FFT is zeros.
-    /// `fft_size`: even.
+    /// `fft_size`: a power of two, 128 to 65,536.
     PowerSpectrum(std::vector<float> window, int fft_size);
-    /// Frees the plan.
-    ~PowerSpectrum();
-    /// Movable, not copyable.
-    PowerSpectrum(PowerSpectrum&&) noexcept;
-    /// As above.
-    PowerSpectrum& operator=(PowerSpectrum&&) noexcept;
 
     /// |X|^2 of bins 0 .. fft_size / 2, not normalized. `samples`: as many as the window has. The
     /// result is valid until the next call.
     std::span<const float> compute(std::span<const float> samples) noexcept RAKS_NONBLOCKING;
+    /// |X| of the same bins.
+    std::span<const float> compute_magnitudes(std::span<const float> samples) noexcept
+        RAKS_NONBLOCKING;
 
     /// Number of bins: fft_size / 2 + 1.
-    [[nodiscard]] int bins() const noexcept;
+    [[nodiscard]] int bins() const noexcept { return static_cast<int>(power_.size()); }
 
  private:
-    struct Plan;
-    std::unique_ptr<Plan> plan_;
+    std::vector<float> window_;
+    std::vector<float> samples_;  // longer than the window: what is behind it stays 0
+    std::vector<float> power_;
+    std::vector<float> magnitudes_;
+    RealFft transform_;
 };
 
 /// Symmetric Hann window, 0.5 - 0.5 cos(2 pi i / (size - 1)) over i = 0 .. size - 1.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "audio/features/log_magnitudes.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -55,10 +57,8 @@ HopSound HopListener::advance(float level_dbfs,
     usual_ = std::max(usual_, kLeastUsual);
     Logs& soft = soft_[hops_ % kHistory];
     Logs& loud = loud_[hops_ % kHistory];
-    for (std::size_t i = 0; i < kMelBands; ++i) {
-        soft[i] = std::log1p(mel[i] / (kSoftShare * usual_));
-        loud[i] = std::log1p(mel[i] / usual_);
-    }
+    log_magnitudes(mel, 1.0F / (kSoftShare * usual_), soft);
+    log_magnitudes(mel, 1.0F / usual_, loud);
     if (hops_ >= 3) {
         const std::size_t two_ago = (hops_ - 2) % kHistory;
         const std::size_t three_ago = (hops_ - 3) % kHistory;

@@ -1,15 +1,22 @@
 #include "audio/resample/resampler.hpp"
 
 #include <speex/speex_resampler.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "audio/resample/polyphase.hpp"
 
 namespace raks::audio {
 
-// The library's converter, freed with the object; none where the rates are equal.
+// One of the two, and none where the rates are equal. The library's converter is freed with the
+// object.
 struct Resampler::State {
+    std::optional<PolyphaseResampler> polyphase;
     SpeexResamplerState* converter = nullptr;
     std::size_t channels = 1;
     bool is_copy = true;
@@ -47,7 +54,20 @@ Nanos measured_delay(Resampler& resampler, SampleRate from, SampleRate to, std::
     return worst;
 }
 
-// Usable only after prepare(), which replaces the state.
+Expected<SpeexResamplerState*> speex_converter(SampleRate from, SampleRate to, int channels) {
+    int error = 0;
+    SpeexResamplerState* const converter =
+        speex_resampler_init(static_cast<spx_uint32_t>(channels),
+                             static_cast<spx_uint32_t>(from.hertz()),
+                             static_cast<spx_uint32_t>(to.hertz()),
+                             kQuality,
+                             &error);
+    if (converter == nullptr) {
+        return fail(std::string("resampler: ") + speex_resampler_strerror(error));
+    }
+    return converter;
+}
+
 }  // namespace
 
 Resampler::Resampler() : state_(std::make_unique<State>()) {}
@@ -62,14 +82,15 @@ Expected<void> Resampler::prepare(SampleRate from, SampleRate to, int channels) 
     if (state_->is_copy) {
         return {};
     }
-    int error = 0;
-    state_->converter = speex_resampler_init(static_cast<spx_uint32_t>(channels),
-                                             static_cast<spx_uint32_t>(from.hertz()),
-                                             static_cast<spx_uint32_t>(to.hertz()),
-                                             kQuality,
-                                             &error);
-    if (state_->converter == nullptr) {
-        return fail(std::string("resampler: ") + speex_resampler_strerror(error));
+    if (channels == 1) {
+        state_->polyphase = PolyphaseResampler::create(from, to);
+    }
+    if (!state_->polyphase) {
+        auto converter = speex_converter(from, to, channels);
+        if (!converter) {
+            return fail(converter.error());
+        }
+        state_->converter = *converter;
     }
     // The measurement changes the converter's state: start afresh after it.
     reset();
@@ -87,6 +108,10 @@ Resampler::Progress Resampler::process(std::span<const float> input,
         std::copy_n(input.data(), frames * channels, output.data());
         return {frames, frames};
     }
+    if (state_->polyphase) {
+        const auto progress = state_->polyphase->process(input, output);
+        return {progress.taken, progress.made};
+    }
     // In: frames offered and room for; out: frames taken and made.
     auto taken = static_cast<spx_uint32_t>(input.size() / channels);
     auto made = static_cast<spx_uint32_t>(output.size() / channels);
@@ -97,7 +122,9 @@ Resampler::Progress Resampler::process(std::span<const float> input,
 }
 
 void Resampler::reset() noexcept RAKS_NONBLOCKING {
-    if (!state_->is_copy) {
+    if (state_->polyphase) {
+        state_->polyphase->reset();
+    } else if (!state_->is_copy) {
         // Skips the filter's delay at the start: output frame 0 belongs to input frame 0. Both only
         // write what Speex has.
         RAKS_TRUSTED(speex_resampler_reset_mem(state_->converter));

@@ -9,13 +9,13 @@
 
 namespace raks::audio {
 
-/// Converts audio from one sample rate to another (libspeexdsp, quality 5: 80 taps at the lower of
-/// the two rates). Output frame k belongs exactly to time k / to; it only comes out later, by
-/// delay(). Any division of the input into calls gives the same output bits. With equal rates it
-/// copies.
+/// Converts audio from one sample rate to another: one channel between rates of a simple ratio by a
+/// filter of our own (PolyphaseResampler), all else by libspeexdsp at quality 5, whose filter is
+/// the same: 80 taps at the lower of the two rates. Output frame k belongs exactly to time k / to;
+/// it only comes out later, by delay(). Any division of the input into calls gives the same output
+/// bits. With equal rates it copies.
 ///
-/// Why this library: docs/decisions/0001. Threads: one. Real-time: process and reset yes, prepare
-/// no.
+/// Why: docs/decisions/0001. Threads: one. Real-time: process and reset yes, prepare no.
 class Resampler {
  public:
     /// Call prepare() before anything else.

@@ -188,6 +188,38 @@ TEST(MusicAnalyzer, reset_gives_the_same_bits_again) {
     }
 }
 
+/// The analyzer's MFCC at each hop.
+class CollectMfcc final : public MusicAnalyzer::Sink {
+ public:
+    explicit CollectMfcc(const MusicAnalyzer& analyzer) : analyzer_(analyzer) {}
+    void on_state(const MusicState&) noexcept override { vectors.push_back(analyzer_.mfcc()); }
+    std::vector<MfccVector> vectors;
+
+ private:
+    const MusicAnalyzer& analyzer_;
+};
+
+std::vector<MfccVector> mfcc_heard(const AnalyzerConfig& config, const GeneratedMusic& piece) {
+    MusicAnalyzer analyzer;
+    EXPECT_TRUE(analyzer.prepare(config));
+    CollectMfcc collect(analyzer);
+    analyzer.process(piece.mono(), collect);
+    return collect.vectors;
+}
+
+TEST(MusicAnalyzer, computes_mfcc_for_a_genre_model_or_for_who_asks) {
+    const GeneratedMusic piece = music(Style::montuno, {{0.0, 180.0}}, 2.0);
+    const AnalyzerConfig shipped = test::as_shipped();
+    AnalyzerConfig asked;
+    asked.cepstral_mean = shipped.genre_model->features.cepstral_mean;
+    const auto vectors = mfcc_heard(asked, piece);
+    EXPECT_EQ(vectors, mfcc_heard(shipped, piece));
+    EXPECT_NE(vectors.back(), MfccVector{});
+    for (const MfccVector& vector : mfcc_heard({}, piece)) {
+        EXPECT_EQ(vector, MfccVector{});
+    }
+}
+
 TEST(MusicAnalyzer, rates_out_of_range_are_refused) {
     for (const int hertz : {-1, 0, 7'999, 192'001}) {
         MusicAnalyzer analyzer;

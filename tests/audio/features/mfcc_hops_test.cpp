@@ -98,7 +98,7 @@ TEST(MfccHops, a_gap_starts_the_frames_anew_and_keeps_the_hops_in_step) {
         const MfccVector* expected = whole.next();
         if (hop >= kLostFrom && hop < kLostTo) {
             cut.push_lost(160);
-            cut.next_lost();
+            cut.discard();
             continue;
         }
         cut.push(block);
@@ -124,7 +124,7 @@ TEST(MfccHops, nothing_allocates) {
         (void)hops.next();
     }
     hops.push_lost(200);
-    hops.next_lost();
+    hops.discard();
     hops.reset();
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
