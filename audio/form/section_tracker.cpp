@@ -8,35 +8,49 @@ namespace {
 
 // While the whole band plays, the sound of the last bar is remembered every so many hops.
 constexpr int kHopsBetweenBars = 20;
-// From so many remembered bars on there is something to compare a bar with.
-constexpr std::size_t kLeastBars = 25;
-// The full band is as loud and as dense as the bar below which this share of the bars lies.
-constexpr double kFullBandShare = 0.7;
-// A breakdown is told when the last bar has looked like one for so many hops.
+// From so many remembered bars on, 12 s, there is something to compare a bar with.
+constexpr std::size_t kLeastBars = 60;
+// calmness() of the last two beats and of the last bar is over these when a breakdown begins, and
+// has been for so many hops when it is told.
+constexpr float kCalmBeats = 1.5F;
+constexpr float kCalmBar = -1.5F;
 constexpr int kBreakdownHops = 12;
+// Between two places that are tried for its begin, in hops.
+constexpr std::size_t kPlaceHops = 2;
 // After 45 s a breakdown is no breakdown any more: the song is like that.
 constexpr HopIndex kLongestBreakdownHops = 4'500;
 // rise_of() of a build-up is at least this.
 constexpr float kLeastBuildUpRise = 1.2F;
+// A build-up is told within so many hops of its begin, or not at all: later it is of no use.
+constexpr HopIndex kBuildUpHops = 400;
 // This many times the onsets of the full band are a drum roll, which leads to a drop.
 constexpr float kRollFactor = 1.3F;
-// From the bar before to its first beat a drop is louder by so much: as a whole, and in the low
-// band.
-constexpr float kDropStepDecibels = 12.0F;
-constexpr float kDropLowStepDecibels = 12.0F;
+// A drop has been full for so many hops when it is told.
+constexpr int kDropHops = 8;
+// Where a song that began calm comes in: the sound of half a second against that of so many seconds
+// before it, as if the first were a full band whose bars differ by so many dB.
+constexpr std::size_t kComeInHops = 50;
+constexpr std::size_t kCalmBeginHops = 400;
+constexpr float kComeInSpread = 4.0F;
+constexpr float kCalmBegin = 0.8F;
+// Only within so many hops from the begin of the stream.
+constexpr std::size_t kLongestBegin = 6'000;
 
 }  // namespace
 
 void SectionTracker::remember(const StretchSound& bar) noexcept {
     low_.add(bar.low);
     level_.add(bar.level);
+    top_.add(bar.top);
     low_onsets_.add(bar.low_onsets);
     onsets_.add(bar.onsets);
-    full_ = {low_.at(kFullBandShare),
-             level_.at(kFullBandShare),
-             low_onsets_.at(kFullBandShare),
-             onsets_.at(kFullBandShare),
-             0.0F};
+    full_ = FullBand::of([this](double share, float StretchSound::*part) {
+        return part == &StretchSound::low          ? low_.at(share)
+               : part == &StretchSound::level      ? level_.at(share)
+               : part == &StretchSound::top        ? top_.at(share)
+               : part == &StretchSound::low_onsets ? low_onsets_.at(share)
+                                                   : onsets_.at(share);
+    });
 }
 
 void SectionTracker::enter(MusicPart part, HopIndex hop) noexcept {
@@ -56,18 +70,22 @@ HopIndex SectionTracker::place_of_fall(const BeatLengths& lengths) const noexcep
     std::size_t best = std::min(bar, most);
     float greatest = -1e9F;
     float steepest = 0.0F;
-    for (std::size_t ago = least; ago <= most; ++ago) {
+    for (std::size_t ago = least; ago <= most; ago += kPlaceHops) {
         const std::size_t from = std::min(sums_.size(), ago + bar);
+        if (from == ago) {
+            break;
+        }
         // A short stretch differs by chance.
         const float sure = std::sqrt(static_cast<float>(std::min(ago, bar)));
-        const float step = step_down(sums_.mean(from, ago), sums_.mean(ago, 0), full_);
+        const float step =
+            calmness(sums_.mean(ago, 0), full_) - calmness(sums_.mean(from, ago), full_);
         if (sure * step > greatest) {
             greatest = sure * step;
             steepest = step;
             best = ago;
         }
     }
-    return steepest < kLeastStepDown ? -1 : hops_[(count_ - best) % HopSums::kKept];
+    return steepest < kLeastStep ? -1 : hops_[(count_ - best) % HopSums::kKept];
 }
 
 // The strongest onset of the last beat and a half; at the end of a phrase, of the beat's
@@ -93,12 +111,40 @@ bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) 
     return phrases > 0.5 && apart < 0.35 * lengths.beat;
 }
 
+// Whether the band of a song that began calm has come in.
+bool SectionTracker::has_come_in(HopIndex hop, const BeatLengths& lengths) noexcept {
+    if (!may_come_in_ || count_ > kLongestBegin || sums_.size() < kComeInHops + kCalmBeginHops) {
+        return false;
+    }
+    const FullBand full{
+        sums_.mean(kComeInHops, 0), kComeInSpread, kComeInSpread, kComeInSpread};
+    const StretchSound before = sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops);
+    come_in_hops_ = calmness(before, full) > kCalmBegin ? come_in_hops_ + 1 : 0;
+    if (come_in_hops_ < kDropHops) {
+        return false;
+    }
+    static_cast<void>(hop);
+    static_cast<void>(lengths);
+    may_come_in_ = false;
+    return true;
+}
+
 // One hop while the whole band plays: has a breakdown begun?
 MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
+    if (has_come_in(hop, lengths)) {
+        for (auto* range : {&low_, &level_, &top_, &low_onsets_, &onsets_}) {
+            range->reset();
+        }
+        const HopIndex at = place_of_drop(hop, lengths);
+        enter(MusicPart::playing, hop);
+        return {MusicEvent::Kind::drop, time_of_hop(at)};
+    }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
     // After a drop the last bar must be of the whole band.
     const bool is_known = low_.size() >= kLeastBars && hop - entered_ > lengths.bar;
-    if (!is_known || !fall_of(bar, full_).is_breakdown()) {
+    const std::size_t beats = std::min(sums_.size(), 2 * static_cast<std::size_t>(lengths.beat));
+    if (!is_known || calmness(sums_.mean(beats, 0), full_) < kCalmBeats ||
+        calmness(bar, full_) < kCalmBar) {
         fallen_hops_ = 0;
         if (count_ % kHopsBetweenBars == 0) {
             remember(bar);
@@ -113,6 +159,7 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
     if (fell < 0) {
         return {};
     }
+    may_come_in_ = false;
     enter(MusicPart::breakdown, hop);
     calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
     calm_hop_ = hop;
@@ -127,16 +174,16 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
 bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept {
     const auto beat = static_cast<std::size_t>(lengths.beat);
     const StretchSound now = sums_.mean(beat, 0);
-    if (!fall_of(now, full_).is_full()) {
+    if (calmness(now, full_) > kFullBelow) {
         return false;
     }
     if (went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat) {
         return true;
     }
     const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
-    const float step = std::min((now.level - before.level) / kDropStepDecibels,
-                                (now.low - before.low) / kDropLowStepDecibels);
-    if (part_ == MusicPart::breakdown && step > 1.0F && now.onsets < kRollFactor * full_.onsets) {
+    const float step = calmness(before, full_) - calmness(now, full_);
+    if (part_ == MusicPart::breakdown && step > kLeastStep &&
+        now.onsets < kRollFactor * full_.usual.onsets) {
         return true;
     }
     return is_end_of_phrase(hop, lengths);
@@ -160,7 +207,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
         return {MusicEvent::Kind::drop, time_of_hop(at)};
     }
     const StretchSound bar = sums_.mean(static_cast<std::size_t>(lengths.bar), 0);
-    full_hops_ = fall_of(bar, full_).is_full() ? full_hops_ + 1 : 0;
+    full_hops_ = calmness(bar, full_) < kFullBelow ? full_hops_ + 1 : 0;
     // A build-up sounds full for its last bars.
     const int patience = part_ == MusicPart::build_up ? lengths.phrase : 2 * lengths.bar;
     if (full_hops_ > patience) {
@@ -171,7 +218,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
     }
     if (hop - entered_ > kLongestBreakdownHops) {
         // How the song goes on: there is nothing to wait for.
-        for (auto* range : {&low_, &level_, &low_onsets_, &onsets_}) {
+        for (auto* range : {&low_, &level_, &top_, &low_onsets_, &onsets_}) {
             range->reset();
         }
         enter(MusicPart::playing, hop);
@@ -185,13 +232,16 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
     }
     // It rises step by step; a drop rises at once.
     const auto risen = [&](std::size_t ago) {
-        return rise_of(calm_, sums_.mean((ago + 2) * beat, ago * beat), full_);
+        return rise_of(calm_, sums_.mean((ago + 2) * beat, ago * beat), full_.usual);
     };
     const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
     if (rise > kLeastBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
-        part_ = MusicPart::build_up;
-        full_hops_ = 0;
-        return {MusicEvent::Kind::build_up, time_of_hop(place_of_rise(hop, lengths))};
+        const HopIndex from = place_of_rise(hop, lengths);
+        if (hop - from <= kBuildUpHops) {
+            part_ = MusicPart::build_up;
+            full_hops_ = 0;
+            return {MusicEvent::Kind::build_up, time_of_hop(from)};
+        }
     }
     return {};
 }

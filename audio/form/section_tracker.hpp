@@ -21,7 +21,8 @@ struct BeatLengths {
 
 /// Tells in which part of its form music is while it sounds: with the whole band, without its
 /// rhythm section, or rising towards a drop. It compares the last bar with the fuller bars of the
-/// last three quarters of a minute. Threads: one. Real-time: yes.
+/// last three quarters of a minute. A song that begins calm has a drop, too, where its band comes
+/// in. Threads: one. Real-time: yes.
 class SectionTracker {
  public:
     /// The next hop that sounds. Returns what became known: breakdown, build_up, drop or none.
@@ -43,6 +44,7 @@ class SectionTracker {
     void remember(const StretchSound& bar) noexcept;
     [[nodiscard]] MusicEvent listen(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
+    [[nodiscard]] bool has_come_in(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_fall(const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
@@ -62,8 +64,10 @@ class SectionTracker {
     MusicPart before_ = MusicPart::playing;  // the part before the present one
     HopIndex went_on_ = -1;  // hop of the entry after a stop in it; -1: there was none
 
-    RunningRange<kRemembered> low_, level_, low_onsets_, onsets_;  // of bars
-    StretchSound full_;                                            // their higher values
+    RunningRange<kRemembered> low_, level_, top_, low_onsets_, onsets_;  // of bars
+    FullBand full_;                                                      // what they have
+    int come_in_hops_ = 0;    // in a row in which the music seemed to come in after a calm begin
+    bool may_come_in_ = true;  // no event was told of this song yet
     StretchSound calm_;      // the softest bar of the present breakdown
     HopIndex calm_hop_ = 0;  // at the end of that bar
 };
