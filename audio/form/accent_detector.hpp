@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "audio/form/hop_sound.hpp"
+#include "audio/form/last_chord.hpp"
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -20,7 +21,7 @@ class AccentDetector {
                         const HopSound& sound,
                         const BeatGrid& grid) noexcept RAKS_NONBLOCKING;
     /// When the last onset was that stood out among those of the 3 s before it, strong or not.
-    [[nodiscard]] StreamTime last_onset() const noexcept { return time_of_hop(onset_); }
+    [[nodiscard]] StreamTime last_onset() const noexcept { return time_of_hop(chord_.hop()); }
     /// Forgets the stream.
     void reset() noexcept { *this = AccentDetector(); }
 
@@ -43,7 +44,7 @@ class AccentDetector {
     std::array<HopSound, kAround> sounds_{};  // of the last hops, ring
     std::size_t hops_ = 0;
     std::array<float, kBlocks> strongest_{};  // onset by second, ring
-    HopIndex onset_ = 0;                      // hop of last_onset()
+    LastChord chord_;                         // for last_onset()
     HopIndex last_ = -1'000;                  // hop of the last accent
 };
 

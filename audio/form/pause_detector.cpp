@@ -30,10 +30,16 @@ constexpr float kNoiseShare = 0.05F;
 
 // A sound that falls by so many dB within 30 ms was cut: no instrument falls so fast.
 constexpr float kCutDecibels = 40.0F;
-// The shortest pause that is a stop, in hops: where the sound was cut; where it faded, as between
+// Players who damp their strings and cymbals stop within 100 ms, though hiss and the room go on: so
+// many dB under the usual level of the last second, which is followed by this share a hop.
+constexpr float kDampedDecibels = 22.0F;
+constexpr float kPlayingShare = 0.02F;
+constexpr float kNearPlaying = 6.0F;
+// The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as between
 // two notes, which also takes such a share of a beat; and while the habits of the song are not
 // known.
 constexpr int kCutStopHops = 8;
+constexpr int kDampedStopHops = 20;
 constexpr int kFadedStopHops = 26;
 constexpr float kFadedStopBeats = 0.9F;
 constexpr int kUnsureStopHops = 70;
@@ -80,7 +86,9 @@ int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     habit = std::max(habit, longest.back());
     const int faded =
         std::max(kFadedStopHops, static_cast<int>(kFadedStopBeats * static_cast<float>(beat)));
-    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops : is_cut_ ? kCutStopHops : faded;
+    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops : is_cut_      ? kCutStopHops
+                      : is_damped_ ? kDampedStopHops
+                                   : faded;
     return std::clamp(habit + habit / 4 + 2, least, kLongestGapHops);
 }
 
@@ -92,9 +100,19 @@ void PauseDetector::remember(HopIndex hop) noexcept {
     quiet_hops_ = 0;
 }
 
+// Whether this hop is quiet; a sound that was damped is at a higher level.
+bool PauseDetector::is_below(float level) noexcept {
+    if (quiet_hops_ == 0) {
+        is_damped_ = *std::max_element(before_.begin(), before_.end()) > playing_ - kNearPlaying &&
+                     playing_ - level > kDampedDecibels;
+    }
+    return level < quiet_level() || (is_damped_ && playing_ - level > kDampedDecibels);
+}
+
 // One hop while music plays: has it stopped?
 MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
-    if (level >= quiet_level()) {
+    if (!is_below(level)) {
+        playing_ += kPlayingShare * (level - playing_);
         remember(hop);
         heard_hops_ = std::min(heard_hops_ + 1, kHabitHops);
         std::shift_left(before_.begin(), before_.end(), 1);
@@ -103,7 +121,7 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     }
     if (quiet_hops_ < 2) {
         // The hop in which it was cut is half full.
-        is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCutDecibels;
+        is_cut_ = *std::max_element(before_.end() - 3, before_.end()) - level >= kCutDecibels;
     }
     if (++quiet_hops_ < hops_to_stop(hop, beat)) {
         return {};
@@ -122,6 +140,7 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
     if (level >= std::max(threshold, resting_ + kOverNoiseDecibels)) {
         if (++loud_hops_ >= kEntryHops) {
             is_stopped_ = false;
+            playing_ = level;
             if (has_ended_) {
                 // Another song has its own habits.
                 heard_hops_ = 0;

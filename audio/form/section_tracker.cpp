@@ -21,6 +21,10 @@ constexpr std::size_t kPlaceHops = 2;
 constexpr HopIndex kLongestBreakdownHops = 4'500;
 // rise_of() of a build-up is at least this.
 constexpr float kLeastBuildUpRise = 1.2F;
+// calmness() falls by so much at a drop out of a build-up.
+constexpr float kStepOutOfRise = 4.5F;
+// A build-up begins so many bars after the breakdown at the earliest.
+constexpr int kCalmBars = 2;
 // A build-up is told within so many hops of its begin, or not at all: later it is of no use.
 constexpr HopIndex kBuildUpHops = 400;
 // This many times the onsets of the full band are a drum roll, which leads to a drop.
@@ -33,6 +37,8 @@ constexpr std::size_t kComeInHops = 50;
 constexpr std::size_t kCalmBeginHops = 400;
 constexpr float kComeInSpread = 4.0F;
 constexpr float kCalmBegin = 0.8F;
+constexpr float kComeInDecibels = 4.0F;  // of the level and of the low band
+constexpr int kComeInHeldHops = 20;
 // Only within so many hops from the begin of the stream.
 constexpr std::size_t kLongestBegin = 6'000;
 
@@ -112,29 +118,29 @@ bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) 
 }
 
 // Whether the band of a song that began calm has come in.
-bool SectionTracker::has_come_in(HopIndex hop, const BeatLengths& lengths) noexcept {
-    if (!may_come_in_ || count_ > kLongestBegin || sums_.size() < kComeInHops + kCalmBeginHops) {
+bool SectionTracker::has_come_in() noexcept {
+    if (count_ < may_come_in_from_ || count_ > kLongestBegin ||
+        sums_.size() < kComeInHops + kCalmBeginHops) {
         return false;
     }
-    const FullBand full{
-        sums_.mean(kComeInHops, 0), kComeInSpread, kComeInSpread, kComeInSpread};
+    const FullBand full{sums_.mean(kComeInHops, 0), kComeInSpread, kComeInSpread, kComeInSpread};
     const StretchSound before = sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops);
-    come_in_hops_ = calmness(before, full) > kCalmBegin ? come_in_hops_ + 1 : 0;
-    if (come_in_hops_ < kDropHops) {
-        return false;
-    }
-    static_cast<void>(hop);
-    static_cast<void>(lengths);
-    may_come_in_ = false;
-    return true;
+    const bool is_great = full.usual.level - before.level > kComeInDecibels &&
+                          full.usual.low - before.low > kComeInDecibels &&
+                          calmness(before, full) > kCalmBegin;
+    come_in_hops_ = is_great ? come_in_hops_ + 1 : 0;
+    return come_in_hops_ >= kComeInHeldHops;
 }
 
 // One hop while the whole band plays: has a breakdown begun?
 MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
-    if (has_come_in(hop, lengths)) {
+    if (has_come_in()) {
+        // What was heard before it was not the full band.
         for (auto* range : {&low_, &level_, &top_, &low_onsets_, &onsets_}) {
             range->reset();
         }
+        come_in_hops_ = 0;
+        may_come_in_from_ = count_ + kCalmBeginHops + kComeInHops;
         const HopIndex at = place_of_drop(hop, lengths);
         enter(MusicPart::playing, hop);
         return {MusicEvent::Kind::drop, time_of_hop(at)};
@@ -159,11 +165,12 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
     if (fell < 0) {
         return {};
     }
-    may_come_in_ = false;
+    may_come_in_from_ = kLongestBegin + 1;
     enter(MusicPart::breakdown, hop);
     calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
     calm_hop_ = hop;
     fell_ = fell;
+    fell_count_ = count_ - std::min(count_, static_cast<std::size_t>(hop - fell));
     went_on_ = -1;
     return {MusicEvent::Kind::breakdown, time_of_hop(fell_)};
 }
@@ -180,9 +187,11 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
     if (went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat) {
         return true;
     }
-    const StretchSound before = sums_.mean(std::min(sums_.size(), 5 * beat), beat);
+    // Of the breakdown alone, which may be short.
+    const std::size_t calm = std::clamp(count_ - fell_count_, beat + beat / 2, 5 * beat);
+    const StretchSound before = sums_.mean(std::min(sums_.size(), calm), beat);
     const float step = calmness(before, full_) - calmness(now, full_);
-    if (part_ == MusicPart::breakdown && step > kLeastStep &&
+    if (step > (part_ == MusicPart::breakdown ? kLeastStep : kStepOutOfRise) &&
         now.onsets < kRollFactor * full_.usual.onsets) {
         return true;
     }
@@ -237,7 +246,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
     const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
     if (rise > kLeastBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         const HopIndex from = place_of_rise(hop, lengths);
-        if (hop - from <= kBuildUpHops) {
+        if (hop - from <= kBuildUpHops && from - fell_ >= kCalmBars * lengths.bar) {
             part_ = MusicPart::build_up;
             full_hops_ = 0;
             return {MusicEvent::Kind::build_up, time_of_hop(from)};

@@ -44,7 +44,7 @@ class SectionTracker {
     void remember(const StretchSound& bar) noexcept;
     [[nodiscard]] MusicEvent listen(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
-    [[nodiscard]] bool has_come_in(HopIndex hop, const BeatLengths& lengths) noexcept;
+    [[nodiscard]] bool has_come_in() noexcept;
     [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_fall(const BeatLengths& lengths) const noexcept;
     [[nodiscard]] HopIndex place_of_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;
@@ -61,13 +61,14 @@ class SectionTracker {
     int full_hops_ = 0;    // in a row in which the last bar of a breakdown was full
     int fallen_hops_ = 0;  // in a row in which the last bar was a breakdown
     HopIndex fell_ = 0;    // hop at which the present breakdown began
+    std::size_t fell_count_ = 0;  // count_ there
     MusicPart before_ = MusicPart::playing;  // the part before the present one
     HopIndex went_on_ = -1;  // hop of the entry after a stop in it; -1: there was none
 
     RunningRange<kRemembered> low_, level_, top_, low_onsets_, onsets_;  // of bars
     FullBand full_;                                                      // what they have
-    int come_in_hops_ = 0;    // in a row in which the music seemed to come in after a calm begin
-    bool may_come_in_ = true;  // no event was told of this song yet
+    int come_in_hops_ = 0;  // in a row in which a calm begin seemed to be over
+    std::size_t may_come_in_from_ = 0;  // count_ from which on that can be so
     StretchSound calm_;      // the softest bar of the present breakdown
     HopIndex calm_hop_ = 0;  // at the end of that bar
 };

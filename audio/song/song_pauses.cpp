@@ -15,7 +15,13 @@ constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the rippl
 // A pause is a habit of the music, and no stop, where at least kHabit others of about its length or
 // longer lie within kHabitHops before or after it.
 constexpr std::size_t kHabitHops = 1600;
-constexpr std::size_t kHabit = 3;
+constexpr std::size_t kHabit = 6;
+// A sound that was damped: within so many hops it falls this far under what it was for half a second
+// before, and it is a pause until it is louder again.
+constexpr std::size_t kDampedHops = 10;
+constexpr std::size_t kPlayedHops = 50;
+constexpr float kDampedUnder = 22.0F;
+constexpr float kNearPlayed = 6.0F;
 
 // By block: the level under which a hop is quiet.
 std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
@@ -35,12 +41,39 @@ std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
     return quiet;
 }
 
+// By hop: whether it is quiet.
+std::vector<char> quiet_hops(std::span<const HopSound> sounds) {
+    const std::vector<float> levels = quiet_levels(sounds);
+    std::vector<char> quiet(sounds.size());
+    double played = -120.0;    // dBFS, mean of the half second before the newest hop that sounds
+    std::size_t sounding = 0;  // hops in a row
+    bool is_damped = false;
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+        const float level = sounds[i].level;
+        const bool is_low = static_cast<double>(level) < played - static_cast<double>(kDampedUnder);
+        if (!is_damped && is_low && sounding >= kPlayedHops) {
+            for (std::size_t ago = 1; ago <= kDampedHops; ++ago) {
+                is_damped = is_damped || static_cast<double>(sounds[i - ago].level) >
+                                             played - static_cast<double>(kNearPlayed);
+            }
+        }
+        is_damped = is_damped && is_low;
+        quiet[i] = static_cast<char>(level < levels[i / kBlock] || is_damped);
+        sounding = quiet[i] != 0 ? 0 : sounding + 1;
+        if (quiet[i] == 0) {
+            const double share = sounding == 1 ? 1.0 : 1.0 / static_cast<double>(kPlayedHops);
+            played += share * (static_cast<double>(level) - played);
+        }
+    }
+    return quiet;
+}
+
 // All gaps, short ones included.
 std::vector<SongPause> find_gaps(std::span<const HopSound> sounds) {
-    const std::vector<float> quiet = quiet_levels(sounds);
+    const std::vector<char> quiet = quiet_hops(sounds);
     std::vector<SongPause> gaps;
     for (std::size_t i = 0; i < sounds.size(); ++i) {
-        if (sounds[i].level >= quiet[i / kBlock]) {
+        if (quiet[i] == 0) {
             continue;
         }
         if (!gaps.empty() && gaps.back().end == i) {

@@ -191,17 +191,17 @@ class SectionFinder {
     // Of a stretch of calm beats: where the rhythm section leaves and is back, if it does.
     [[nodiscard]] std::optional<Beats> breakdown_in(std::size_t from, std::size_t to) const {
         // A song may begin calm; a pickup is nothing yet.
-        if (from == 0 && to < kRisingBeats) {
+        const bool begins_it = !song_.has_sound(0, from - std::min(from, bar_));
+        if (begins_it && to < kRisingBeats) {
             return std::nullopt;
         }
-        const std::size_t first = from == 0 ? 0 : place_of_fall(from);
+        const std::size_t first = begins_it ? 0 : place_of_fall(from);
         const std::size_t last = to + 1 < song_.size() ? place_of_rise(to) : song_.size() - 1;
         if (last < first + kLeastBeats || mean_calmness(first, last) < kLeastCalm ||
             (first > 0 && step_at(first) < kLeastStep)) {
             return std::nullopt;
         }
-        const std::size_t back = place_of_return(first, last);
-        return fades(first, back) ? std::nullopt : std::optional<Beats>({first, back});
+        return Beats{first, place_of_return(first, last)};
     }
 
     // Calmness of the bar around a beat.
@@ -250,18 +250,6 @@ class SectionFinder {
         return song_.sounding_share(from, to) > 0.9 && calmness(now, full) < kFullBelow &&
                now.onsets < kMostOnsets * full.usual.onsets + 0.05F &&
                now.low_onsets < kMostLowOnsets * full.usual.low_onsets + 0.05F;
-    }
-
-    // Whether the song becomes softer from a beat on until it is over.
-    [[nodiscard]] bool fades(std::size_t first, std::size_t back) const {
-        if (back + 1 < song_.size() || first + 2 * bar_ >= song_.size()) {
-            return false;
-        }
-        std::size_t end = back;
-        while (end > first + bar_ && song_.is_quiet(end - 1, end)) {
-            --end;
-        }
-        return song_.before(end).level < song_.after(first).level - 5.0F;
     }
 
     // How much calmer the bar after a beat is than the bar before it.
@@ -351,7 +339,8 @@ class SectionFinder {
         found.first = song_.hop_of(first);
         found.build_up = found.end = song_.hop_of(back);
         found.drops = back + 1 < song_.size();
-        if (found.drops && back - first >= kRisingBeats) {
+        // A song that begins calm grows: that is no build-up.
+        if (found.drops && first > 0 && back - first >= kRisingBeats) {
             if (const auto knee = knee_of(first, back)) {
                 found.build_up = song_.hop_of(*knee);
             }

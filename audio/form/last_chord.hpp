@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "audio/form/hop_sound.hpp"
+#include "base/realtime.hpp"
+#include "base/time.hpp"
+
+namespace raks::audio {
+
+/// Where music ends, should it end now: at its last chord or beat, however long that rings and
+/// whatever crackles in its decay; in a fade-out, whose beats go on as they were, at the last that
+/// is heard. Threads: one. Real-time: yes.
+class LastChord {
+ public:
+    /// The next hop. `peak`: AccentDetector::weight() where it is the greatest of its surroundings,
+    /// else 0.
+    void advance(HopIndex hop, const HopSound& sound, float peak) noexcept RAKS_NONBLOCKING;
+    /// The end as far as it is known; 0: there was no onset.
+    [[nodiscard]] HopIndex hop() const noexcept;
+    /// Forgets the stream.
+    void reset() noexcept { *this = LastChord(); }
+
+ private:
+    static constexpr std::size_t kSeconds = 16;
+
+    [[nodiscard]] float usual_strength() const noexcept;
+
+    std::array<float, kSeconds> strongest_{};  // onset by second, ring
+    std::size_t hops_ = 0;
+    float usual_novelty_ = 0.0F;  // smoothed over seconds
+
+    HopIndex chord_ = 0;          // the last onset as strong as those of the song
+    float novelty_before_ = 0.0F;  // usual_novelty_ there
+    float novelty_after_ = 0.0F;   // sum over the hops after it, the first left out
+    int hops_after_ = 0;           // number of these
+    HopIndex heard_ = 0;  // the last onset that stands out among those just before it
+};
+
+}  // namespace raks::audio
