@@ -9,27 +9,27 @@ namespace {
 
 constexpr std::size_t kHopsASecond = 100;
 // An onset this strong beside the usual strongest of a second belongs to the song, not to a decay.
-constexpr float kOfTheSong = 0.5F;
+constexpr float kOfTheSong = 0.45F;
 // The usual novelty is followed by this share a hop: over 4 s.
 constexpr float kNoveltyShare = 1.0F / 400.0F;
 // The chord itself is not what follows it: hops that are left out, and hops that tell.
 constexpr HopIndex kOwnHops = 30;
 constexpr int kTellingHops = 400;
 // So much of the usual novelty goes on in a fade-out.
-constexpr float kFadeShare = 0.45F;
+constexpr float kFadeShare = 0.6F;
 
 }  // namespace
 
-// The median of the last seconds that had an onset.
+// Of the last seconds that had an onset: most of them may be of the decay.
 float LastChord::usual_strength() const noexcept {
     std::array<float, kSeconds> seconds = strongest_;
     auto* const end = std::remove(seconds.begin(), seconds.end(), 0.0F);
     if (end == seconds.begin()) {
         return 0.0F;
     }
-    auto* const middle = seconds.begin() + (end - seconds.begin()) / 2;
-    std::nth_element(seconds.begin(), middle, end);
-    return *middle;
+    auto* const strong = seconds.begin() + 3 * (end - seconds.begin()) / 4;
+    std::nth_element(seconds.begin(), strong, end);
+    return *strong;
 }
 
 void LastChord::advance(HopIndex hop, const HopSound& sound, float peak) noexcept RAKS_NONBLOCKING {

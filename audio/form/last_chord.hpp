@@ -23,7 +23,7 @@ class LastChord {
     void reset() noexcept { *this = LastChord(); }
 
  private:
-    static constexpr std::size_t kSeconds = 16;
+    static constexpr std::size_t kSeconds = 24;
 
     [[nodiscard]] float usual_strength() const noexcept;
 

@@ -32,7 +32,7 @@ constexpr float kNoiseShare = 0.05F;
 constexpr float kCutDecibels = 40.0F;
 // Players who damp their strings and cymbals stop within 100 ms, though hiss and the room go on: so
 // many dB under the usual level of the last second, which is followed by this share a hop.
-constexpr float kDampedDecibels = 22.0F;
+constexpr float kDampedDecibels = 24.0F;
 constexpr float kPlayingShare = 0.02F;
 constexpr float kNearPlaying = 6.0F;
 // The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as between
@@ -51,7 +51,7 @@ constexpr int kShortestGapHops = 3;
 // of a gap that is no longer than the last number of hops, one does. Gaps that are older than this
 // do not count.
 constexpr int kHabitHops = 500;
-constexpr std::size_t kHabitGaps = 3;
+constexpr std::size_t kHabitGaps = 4;
 constexpr int kShortGapHops = 40;
 constexpr HopIndex kRememberedHops = 1200;
 // A stop of 3 s is the end.
@@ -67,8 +67,8 @@ void PauseDetector::follow_level(float level) noexcept {
     loud_ = std::max(level, loud_ - (is_stopped_ ? kStoppedFallDecibels : kLoudFallDecibels));
 }
 
-// A pause must be longer than the third longest gap of the last 12 s: what the song did once or
-// twice is a stop of its own, what it did more often is how it is played. A short gap needs no
+// A pause must be longer than the fourth longest gap of the last 12 s: what the song did up to three
+// times is a stop of its own, what it did more often is how it is played. A short gap needs no
 // others.
 int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     std::array<int, kHabitGaps> longest{};  // descending

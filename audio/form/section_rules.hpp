@@ -59,6 +59,18 @@ inline constexpr float kFullBelow = -0.8F;
 /// out, or a filter that closes slowly, has less.
 inline constexpr float kLeastStep = 3.2F;
 
+/// Whether the band of a song that began calm comes in between two stretches, of some seconds and
+/// of half a second: everything is there that was not, and louder, which a further layer of a song
+/// that grows is not.
+[[nodiscard]] inline bool comes_in(const StretchSound& before, const StretchSound& after) noexcept {
+    constexpr float kSpread = 4.0F;      // dB, as if the bars of the full band differed by so much
+    constexpr float kLevelRise = 2.5F;   // dB
+    constexpr float kLowRise = 3.5F;     // dB
+    constexpr float kLeastCalm = -0.4F;  // calmness()
+    return after.level - before.level > kLevelRise && after.low - before.low > kLowRise &&
+           calmness(before, {after, kSpread, kSpread, kSpread}) > kLeastCalm;
+}
+
 /// How much it rises from one stretch to the next; above 1 it is the rise of a build-up.
 [[nodiscard]] inline float rise_of(const StretchSound& before,
                                    const StretchSound& after,

@@ -32,13 +32,10 @@ constexpr float kRollFactor = 1.3F;
 // A drop has been full for so many hops when it is told.
 constexpr int kDropHops = 8;
 // Where a song that began calm comes in: the sound of half a second against that of so many seconds
-// before it, as if the first were a full band whose bars differ by so many dB.
+// before it, for so many hops.
 constexpr std::size_t kComeInHops = 50;
 constexpr std::size_t kCalmBeginHops = 400;
-constexpr float kComeInSpread = 4.0F;
-constexpr float kCalmBegin = 0.8F;
-constexpr float kComeInDecibels = 4.0F;  // of the level and of the low band
-constexpr int kComeInHeldHops = 20;
+constexpr int kComeInHeldHops = 30;
 // Only within so many hops from the begin of the stream.
 constexpr std::size_t kLongestBegin = 6'000;
 
@@ -123,17 +120,16 @@ bool SectionTracker::has_come_in() noexcept {
         sums_.size() < kComeInHops + kCalmBeginHops) {
         return false;
     }
-    const FullBand full{sums_.mean(kComeInHops, 0), kComeInSpread, kComeInSpread, kComeInSpread};
-    const StretchSound before = sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops);
-    const bool is_great = full.usual.level - before.level > kComeInDecibels &&
-                          full.usual.low - before.low > kComeInDecibels &&
-                          calmness(before, full) > kCalmBegin;
-    come_in_hops_ = is_great ? come_in_hops_ + 1 : 0;
+    const bool has = comes_in(sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops),
+                              sums_.mean(kComeInHops, 0));
+    come_in_hops_ = has ? come_in_hops_ + 1 : 0;
     return come_in_hops_ >= kComeInHeldHops;
 }
 
 // One hop while the whole band plays: has a breakdown begun?
-MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noexcept {
+MusicEvent SectionTracker::listen(HopIndex hop,
+                                  const BeatLengths& lengths,
+                                  bool is_gap) noexcept {
     if (has_come_in()) {
         // What was heard before it was not the full band.
         for (auto* range : {&low_, &level_, &top_, &low_onsets_, &onsets_}) {
@@ -157,14 +153,16 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths) noex
         }
         return {};
     }
-    if (++fallen_hops_ < kBreakdownHops) {
+    if (++fallen_hops_ < kBreakdownHops || is_gap) {
         return {};
     }
     // A fade has no step.
-    const HopIndex fell = place_of_fall(lengths);
-    if (fell < 0) {
+    const HopIndex place = place_of_fall(lengths);
+    if (place < 0) {
         return {};
     }
+    // After a stop it begins where music goes on.
+    const HopIndex fell = std::max(place, went_on_);
     may_come_in_from_ = kLongestBegin + 1;
     enter(MusicPart::breakdown, hop);
     calm_ = sums_.mean(2 * static_cast<std::size_t>(lengths.beat), 0);
@@ -266,7 +264,8 @@ void SectionTracker::go_on(HopIndex hop) noexcept RAKS_NONBLOCKING { went_on_ = 
 
 MusicEvent SectionTracker::advance(HopIndex hop,
                                    const HopSound& sound,
-                                   const BeatLengths& lengths) noexcept RAKS_NONBLOCKING {
+                                   const BeatLengths& lengths,
+                                   bool is_gap) noexcept RAKS_NONBLOCKING {
     sums_.add(sound);
     hops_[count_ % HopSums::kKept] = hop;
     hits_[count_ % HopSums::kKept] = sound.hits[0] + sound.hits[1] + sound.hits[2];
@@ -274,7 +273,7 @@ MusicEvent SectionTracker::advance(HopIndex hop,
     if (sums_.size() < static_cast<std::size_t>(lengths.bar)) {
         return {};
     }
-    return part_ == MusicPart::playing ? listen(hop, lengths) : wait(hop, lengths);
+    return part_ == MusicPart::playing ? listen(hop, lengths, is_gap) : wait(hop, lengths);
 }
 
 }  // namespace raks::audio

@@ -25,10 +25,12 @@ struct BeatLengths {
 /// in. Threads: one. Real-time: yes.
 class SectionTracker {
  public:
-    /// The next hop that sounds. Returns what became known: breakdown, build_up, drop or none.
+    /// The next hop that sounds, or that is in a gap which may become a stop (`is_gap`): a breakdown
+    /// is not told there. Returns what became known: breakdown, build_up, drop or none.
     MusicEvent advance(HopIndex hop,
                        const HopSound& sound,
-                       const BeatLengths& lengths) noexcept RAKS_NONBLOCKING;
+                       const BeatLengths& lengths,
+                       bool is_gap) noexcept RAKS_NONBLOCKING;
     /// Music stops: what seemed a drop just before was a last chord.
     void pause(HopIndex hop, const BeatLengths& lengths) noexcept RAKS_NONBLOCKING;
     /// Music goes on after a stop.
@@ -42,7 +44,9 @@ class SectionTracker {
     static constexpr std::size_t kRemembered = 225;  // values: 45 s, each 0.2 s
 
     void remember(const StretchSound& bar) noexcept;
-    [[nodiscard]] MusicEvent listen(HopIndex hop, const BeatLengths& lengths) noexcept;
+    [[nodiscard]] MusicEvent listen(HopIndex hop,
+                                    const BeatLengths& lengths,
+                                    bool is_gap) noexcept;
     [[nodiscard]] MusicEvent wait(HopIndex hop, const BeatLengths& lengths) noexcept;
     [[nodiscard]] bool has_come_in() noexcept;
     [[nodiscard]] bool is_drop(HopIndex hop, const BeatLengths& lengths) const noexcept;

@@ -16,11 +16,14 @@ constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the rippl
 // longer lie within kHabitHops before or after it.
 constexpr std::size_t kHabitHops = 1600;
 constexpr std::size_t kHabit = 6;
+// The habits of a song are not known in its first seconds: only a long pause is a stop there.
+constexpr std::size_t kUnknownHops = 500;
+constexpr std::size_t kUnsureHops = 70;
 // A sound that was damped: within so many hops it falls this far under what it was for half a second
 // before, and it is a pause until it is louder again.
 constexpr std::size_t kDampedHops = 10;
 constexpr std::size_t kPlayedHops = 50;
-constexpr float kDampedUnder = 22.0F;
+constexpr float kDampedUnder = 24.0F;
 constexpr float kNearPlayed = 6.0F;
 
 // By block: the level under which a hop is quiet.
@@ -101,9 +104,12 @@ bool is_habit(const std::vector<SongPause>& gaps, const SongPause& gap) {
 std::vector<SongPause> find_pauses(std::span<const HopSound> sounds, std::size_t least_hops) {
     const std::vector<SongPause> gaps = find_gaps(sounds);
     std::vector<SongPause> pauses;
+    const std::size_t begin = !gaps.empty() && gaps.front().first == 0 ? gaps.front().end : 0;
     for (const SongPause& gap : gaps) {
         const bool is_edge = gap.first == 0 || gap.end == sounds.size();
-        if (is_edge || (gap.hops() >= least_hops && !is_habit(gaps, gap))) {
+        const std::size_t least =
+            gap.first < begin + kUnknownHops ? std::max(least_hops, kUnsureHops) : least_hops;
+        if (is_edge || (gap.hops() >= least && !is_habit(gaps, gap))) {
             pauses.push_back(gap);
         }
     }

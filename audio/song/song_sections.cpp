@@ -201,7 +201,13 @@ class SectionFinder {
             (first > 0 && step_at(first) < kLeastStep)) {
             return std::nullopt;
         }
-        return Beats{first, place_of_return(first, last)};
+        const std::size_t back = place_of_return(first, last);
+        if (first == 0 && back + 1 < song_.size() &&
+            !comes_in(song_.mean(back - std::min(back, 2 * bar_), back),
+                      song_.mean(back, std::min(song_.size() - 1, back + 2)))) {
+            return std::nullopt;  // it grows
+        }
+        return Beats{first, back};
     }
 
     // Calmness of the bar around a beat.
