@@ -39,7 +39,7 @@ constexpr float kNearPlaying = 6.0F;
 // two notes, which also takes such a share of a beat; and while the habits of the song are not
 // known.
 constexpr int kCutStopHops = 8;
-constexpr int kDampedStopHops = 20;
+constexpr int kDampedStopHops = 26;
 constexpr int kFadedStopHops = 26;
 constexpr float kFadedStopBeats = 0.9F;
 constexpr int kUnsureStopHops = 70;

@@ -11,7 +11,7 @@ namespace raks::audio {
 
 /// Tells when music stops, goes on and is over, by the level alone. A stop is a pause longer than
 /// the song has made a habit of: in music that has none it is known 80 ms after the sound was cut,
-/// after 0.2 s where it was damped and hiss or a room goes on, and where it faded, when nearly a beat
+/// after a quarter of a second where it was damped and hiss or a room goes on, and where it faded, when nearly a beat
 /// has passed 30 dB under the loudest; in staccato music,
 /// whose gaps between notes it has learnt, later. Threads: one. Real-time: yes.
 class PauseDetector {

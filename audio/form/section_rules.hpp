@@ -66,7 +66,7 @@ inline constexpr float kLeastStep = 3.2F;
     constexpr float kSpread = 4.0F;      // dB, as if the bars of the full band differed by so much
     constexpr float kLevelRise = 2.5F;   // dB
     constexpr float kLowRise = 3.5F;     // dB
-    constexpr float kLeastCalm = -0.4F;  // calmness()
+    constexpr float kLeastCalm = 0.2F;  // calmness()
     return after.level - before.level > kLevelRise && after.low - before.low > kLowRise &&
            calmness(before, {after, kSpread, kSpread, kSpread}) > kLeastCalm;
 }

@@ -153,7 +153,9 @@ MusicEvent SectionTracker::listen(HopIndex hop,
         }
         return {};
     }
-    if (++fallen_hops_ < kBreakdownHops || is_gap) {
+    // Nor do the beats tell that hold a stop.
+    const bool is_after_stop = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat;
+    if (++fallen_hops_ < kBreakdownHops || is_gap || is_after_stop) {
         return {};
     }
     // A fade has no step.

@@ -16,7 +16,7 @@ constexpr double kAroundSeconds = 60.0;  // to either side: the bars that make t
 constexpr std::size_t kBandBeats = 8;    // between two looks at the full band
 constexpr std::size_t kLeastBeats = 3;   // of a breakdown
 // By so much calmness() is over 0 in the middle of a breakdown.
-constexpr float kLeastCalm = 0.6F;
+constexpr float kLeastCalm = 0.4F;
 // A beat counts so much at most, and a change between calm and full costs so much.
 constexpr float kMostOfABeat = 2.0F;
 constexpr float kChange = 5.0F;
