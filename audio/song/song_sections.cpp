@@ -15,11 +15,11 @@ namespace {
 constexpr double kAroundSeconds = 60.0;  // to either side: the bars that make the full band
 constexpr std::size_t kBandBeats = 8;    // between two looks at the full band
 constexpr std::size_t kLeastBeats = 3;   // of a breakdown
-// By so much calmness() is over 0 in the middle of a breakdown.
+// calmness() of a breakdown as a whole.
 constexpr float kLeastCalm = 0.4F;
 // A beat counts so much at most, and a change between calm and full costs so much.
 constexpr float kMostOfABeat = 2.0F;
-constexpr float kChange = 5.0F;
+constexpr float kChange = 3.0F;
 constexpr std::size_t kRisingBeats = 8;  // of a breakdown that can hold a build-up
 constexpr double kSteadyBeat = 0.5;      // seconds, where a song has no beats
 constexpr std::size_t kPhraseBeats = 16;
@@ -197,8 +197,10 @@ class SectionFinder {
         }
         const std::size_t first = begins_it ? 0 : place_of_fall(from);
         const std::size_t last = to + 1 < song_.size() ? place_of_rise(to) : song_.size() - 1;
-        if (last < first + kLeastBeats || mean_calmness(first, last) < kLeastCalm ||
-            (first > 0 && step_at(first) < kLeastStep)) {
+        const bool has_steps = (first == 0 || step_at(first) >= kLeastStep) &&
+                               (last >= first + 2 * bar_ || -step_at(last) >= kLeastStep);
+        if (last < first + kLeastBeats || !has_steps ||
+            calmness(song_.mean(first, last), full_[first]) < kLeastCalm) {
             return std::nullopt;
         }
         const std::size_t back = place_of_return(first, last);
@@ -215,13 +217,6 @@ class SectionFinder {
         const std::size_t from = beat - std::min(beat, bar_ / 2);
         const std::size_t to = std::min(song_.size() - 1, beat + bar_ / 2);
         return song_.is_quiet(from, to) ? 0.0F : calmness(song_.mean(from, to), full_[beat]);
-    }
-    [[nodiscard]] float mean_calmness(std::size_t first, std::size_t end) const {
-        float sum = 0.0F;
-        for (std::size_t beat = first; beat < end; ++beat) {
-            sum += calmness_at(beat);
-        }
-        return sum / static_cast<float>(end - first);
     }
 
     // By beat, whether the rhythm section is gone: the likeliest path of the two, where each change
