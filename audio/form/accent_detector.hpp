@@ -20,15 +20,14 @@ class AccentDetector {
     MusicAccent advance(HopIndex hop,
                         const HopSound& sound,
                         const BeatGrid& grid) noexcept RAKS_NONBLOCKING;
-    /// When the last onset was that stood out among those of the 3 s before it, strong or not.
+    /// Where the music ends, should it end now (LastChord).
     [[nodiscard]] StreamTime last_onset() const noexcept { return time_of_hop(chord_.hop()); }
     /// Forgets the stream.
     void reset() noexcept { *this = AccentDetector(); }
 
-    static constexpr float kStrong = 0.5F;     ///< least strength of an accent
-    static constexpr float kStandsOut = 0.3F;  ///< of the strongest of 3 s: an onset that is heard
-    static constexpr float kLeast = 0.1F;      ///< weight under which nothing is an onset
-    static constexpr HopIndex kApart = 15;     ///< hops: one sound has one accent
+    static constexpr float kStrong = 0.5F;  ///< least strength of an accent
+    static constexpr float kLeast = 0.1F;   ///< weight under which nothing is an onset
+    static constexpr HopIndex kApart = 15;  ///< hops: one sound has one accent
     /// How strong the onset of a hop is, >= 0: hits, weighted by band.
     [[nodiscard]] static float weight(const HopSound& sound) noexcept;
     /// An accent of this strength at a hop.

@@ -10,13 +10,16 @@ namespace {
 constexpr std::size_t kHopsASecond = 100;
 // An onset this strong beside the usual strongest of a second belongs to the song, not to a decay.
 constexpr float kOfTheSong = 0.45F;
-// The usual novelty is followed by this share a hop: over 4 s.
-constexpr float kNoveltyShare = 1.0F / 400.0F;
 // The chord itself is not what follows it: hops that are left out, and hops that tell.
 constexpr HopIndex kOwnHops = 30;
-constexpr int kTellingHops = 400;
-// So much of the usual novelty goes on in a fade-out.
-constexpr float kFadeShare = 0.6F;
+constexpr HopIndex kTellingHops = 150;
+// In a fade-out onsets of this share of the usual ones go on.
+constexpr float kFadeShare = 0.28F;
+// What is so many dB under the loudest of late, which falls by so many a hop, is not heard; nor
+// what is under the last.
+constexpr float kHeardDecibels = 30.0F;
+constexpr float kHeardFallDecibels = 0.06F;
+constexpr float kLeastHeard = -72.0F;
 
 }  // namespace
 
@@ -39,34 +42,23 @@ void LastChord::advance(HopIndex hop, const HopSound& sound, float peak) noexcep
         block = 0.0F;
     }
     ++hops_;
-    const float novelty = sound.total_novelty();
-    if (hop > chord_ + kOwnHops && hops_after_ < kTellingHops) {
-        novelty_after_ += novelty;
-        ++hops_after_;
+    loud_ = std::max(sound.level, loud_ - kHeardFallDecibels);
+    if (sound.level > std::max(loud_ - kHeardDecibels, kLeastHeard)) {
+        heard_ = hop;
     }
-    usual_novelty_ += kNoveltyShare * (novelty - usual_novelty_);
     if (peak < AccentDetector::kLeast) {
         return;
     }
     block = std::max(block, peak);
-    const float of_late = std::max({block,
-                                    strongest_[(second + kSeconds - 1) % kSeconds],
-                                    strongest_[(second + kSeconds - 2) % kSeconds]});
-    if (peak >= AccentDetector::kStandsOut * of_late) {
-        heard_ = hop;
-    }
-    if (peak >= kOfTheSong * usual_strength()) {
+    const float usual = usual_strength();
+    if (peak >= kOfTheSong * usual) {
         chord_ = hop;
-        novelty_before_ = usual_novelty_;
-        novelty_after_ = 0.0F;
-        hops_after_ = 0;
+        goes_on_ = false;
+    } else if (hop > chord_ + kOwnHops && hop <= chord_ + kTellingHops) {
+        goes_on_ = goes_on_ || peak >= kFadeShare * usual;
     }
 }
 
-HopIndex LastChord::hop() const noexcept {
-    const bool goes_on =
-        hops_after_ > 0 && novelty_after_ > kFadeShare * novelty_before_ * static_cast<float>(hops_after_);
-    return goes_on ? heard_ : chord_;
-}
+HopIndex LastChord::hop() const noexcept { return goes_on_ ? heard_ : chord_; }
 
 }  // namespace raks::audio

@@ -10,8 +10,8 @@
 namespace raks::audio {
 
 /// Where music ends, should it end now: at its last chord or beat, however long that rings and
-/// whatever crackles in its decay; in a fade-out, whose beats go on as they were, at the last that
-/// is heard. Threads: one. Real-time: yes.
+/// whatever crackles in its decay; in a fade-out, whose beats go on as they were, where it can
+/// no longer be heard. Threads: one. Real-time: yes.
 class LastChord {
  public:
     /// The next hop. `peak`: AccentDetector::weight() where it is the greatest of its surroundings,
@@ -29,13 +29,10 @@ class LastChord {
 
     std::array<float, kSeconds> strongest_{};  // onset by second, ring
     std::size_t hops_ = 0;
-    float usual_novelty_ = 0.0F;  // smoothed over seconds
-
-    HopIndex chord_ = 0;          // the last onset as strong as those of the song
-    float novelty_before_ = 0.0F;  // usual_novelty_ there
-    float novelty_after_ = 0.0F;   // sum over the hops after it, the first left out
-    int hops_after_ = 0;           // number of these
-    HopIndex heard_ = 0;  // the last onset that stands out among those just before it
+    HopIndex chord_ = 0;    // the last onset as strong as those of the song
+    bool goes_on_ = false;  // onsets that are nearly as strong came soon after it
+    float loud_ = -200.0F;  // dBFS, falls slowly
+    HopIndex heard_ = 0;    // the last hop that is heard
 };
 
 }  // namespace raks::audio

@@ -33,13 +33,15 @@ constexpr float kCutDecibels = 40.0F;
 // Players who damp their strings and cymbals stop within 100 ms, though hiss and the room go on: so
 // many dB under the usual level of the last second, which is followed by this share a hop.
 constexpr float kDampedDecibels = 24.0F;
+constexpr float kDeepDecibels = 28.0F;  // that it reaches, or it was a gap in softer music
 constexpr float kPlayingShare = 0.02F;
 constexpr float kNearPlaying = 6.0F;
-// The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as between
-// two notes, which also takes such a share of a beat; and while the habits of the song are not
-// known.
+// The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as
+// between two notes, which also takes such a share of a beat; and while the habits of the song are
+// not known.
 constexpr int kCutStopHops = 8;
 constexpr int kDampedStopHops = 26;
+constexpr float kDampedStopBeats = 0.55F;
 constexpr int kFadedStopHops = 26;
 constexpr float kFadedStopBeats = 0.9F;
 constexpr int kUnsureStopHops = 70;
@@ -67,9 +69,9 @@ void PauseDetector::follow_level(float level) noexcept {
     loud_ = std::max(level, loud_ - (is_stopped_ ? kStoppedFallDecibels : kLoudFallDecibels));
 }
 
-// A pause must be longer than the fourth longest gap of the last 12 s: what the song did up to three
-// times is a stop of its own, what it did more often is how it is played. A short gap needs no
-// others.
+// A pause must be longer than the fourth longest gap of the last 12 s: what the song did up to
+// three times is a stop of its own, what it did more often is how it is played. A short gap needs
+// no others.
 int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     std::array<int, kHabitGaps> longest{};  // descending
     int habit = 0;
@@ -86,9 +88,13 @@ int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     habit = std::max(habit, longest.back());
     const int faded =
         std::max(kFadedStopHops, static_cast<int>(kFadedStopBeats * static_cast<float>(beat)));
-    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops : is_cut_      ? kCutStopHops
-                      : is_damped_ ? kDampedStopHops
-                                   : faded;
+    const int damped =
+        std::max(kDampedStopHops, static_cast<int>(kDampedStopBeats * static_cast<float>(beat)));
+    const bool is_deep = is_damped_ && playing_ - deepest_ > kDeepDecibels;
+    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops
+                      : is_cut_                ? kCutStopHops
+                      : is_deep                ? damped
+                                               : faded;
     return std::clamp(habit + habit / 4 + 2, least, kLongestGapHops);
 }
 
@@ -102,6 +108,7 @@ void PauseDetector::remember(HopIndex hop) noexcept {
 
 // Whether this hop is quiet; a sound that was damped is at a higher level.
 bool PauseDetector::is_below(float level) noexcept {
+    deepest_ = quiet_hops_ == 0 ? level : std::min(deepest_, level);
     if (quiet_hops_ == 0) {
         is_damped_ = *std::max_element(before_.begin(), before_.end()) > playing_ - kNearPlaying &&
                      playing_ - level > kDampedDecibels;

@@ -42,9 +42,8 @@ struct FullBand {
 /// songs.
 [[nodiscard]] inline float calmness(const StretchSound& now, const FullBand& full) noexcept {
     const auto fall = [](float usual, float level, float spread, float whole) {
-        return std::clamp((usual - level) / std::clamp(2.5F * spread, 0.5F * whole, whole),
-                          -0.5F,
-                          1.5F);
+        return std::clamp(
+            (usual - level) / std::clamp(2.5F * spread, 0.5F * whole, whole), -0.5F, 1.5F);
     };
     const StretchSound& usual = full.usual;
     return 2.1F * fall(usual.top, now.top, full.top_spread, 10.0F) +
@@ -63,10 +62,10 @@ inline constexpr float kLeastStep = 3.2F;
 /// of half a second: everything is there that was not, and louder, which a further layer of a song
 /// that grows is not.
 [[nodiscard]] inline bool comes_in(const StretchSound& before, const StretchSound& after) noexcept {
-    constexpr float kSpread = 4.0F;      // dB, as if the bars of the full band differed by so much
-    constexpr float kLevelRise = 2.5F;   // dB
-    constexpr float kLowRise = 3.5F;     // dB
-    constexpr float kLeastCalm = 0.2F;  // calmness()
+    constexpr float kSpread = 4.0F;     // dB, as if the bars of the full band differed by so much
+    constexpr float kLevelRise = 3.2F;  // dB
+    constexpr float kLowRise = 3.5F;    // dB
+    constexpr float kLeastCalm = 0.6F;  // calmness()
     return after.level - before.level > kLevelRise && after.low - before.low > kLowRise &&
            calmness(before, {after, kSpread, kSpread, kSpread}) > kLeastCalm;
 }

@@ -120,16 +120,14 @@ bool SectionTracker::has_come_in() noexcept {
         sums_.size() < kComeInHops + kCalmBeginHops) {
         return false;
     }
-    const bool has = comes_in(sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops),
-                              sums_.mean(kComeInHops, 0));
+    const bool has =
+        comes_in(sums_.mean(kComeInHops + kCalmBeginHops, kComeInHops), sums_.mean(kComeInHops, 0));
     come_in_hops_ = has ? come_in_hops_ + 1 : 0;
     return come_in_hops_ >= kComeInHeldHops;
 }
 
 // One hop while the whole band plays: has a breakdown begun?
-MusicEvent SectionTracker::listen(HopIndex hop,
-                                  const BeatLengths& lengths,
-                                  bool is_gap) noexcept {
+MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths, bool is_gap) noexcept {
     if (has_come_in()) {
         // What was heard before it was not the full band.
         for (auto* range : {&low_, &level_, &top_, &low_onsets_, &onsets_}) {

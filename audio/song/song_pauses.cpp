@@ -15,15 +15,16 @@ constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the rippl
 // A pause is a habit of the music, and no stop, where at least kHabit others of about its length or
 // longer lie within kHabitHops before or after it.
 constexpr std::size_t kHabitHops = 1600;
-constexpr std::size_t kHabit = 6;
+constexpr std::size_t kHabit = 4;
 // The habits of a song are not known in its first seconds: only a long pause is a stop there.
 constexpr std::size_t kUnknownHops = 500;
 constexpr std::size_t kUnsureHops = 70;
-// A sound that was damped: within so many hops it falls this far under what it was for half a second
-// before, and it is a pause until it is louder again.
+// A sound that was damped: within so many hops it falls this far under what it was for half a
+// second before, and it is a pause until it is louder again.
 constexpr std::size_t kDampedHops = 10;
 constexpr std::size_t kPlayedHops = 50;
 constexpr float kDampedUnder = 24.0F;
+constexpr float kDeepUnder = 28.0F;  // that it reaches
 constexpr float kNearPlayed = 6.0F;
 
 // By block: the level under which a hop is quiet.
@@ -51,6 +52,8 @@ std::vector<char> quiet_hops(std::span<const HopSound> sounds) {
     double played = -120.0;    // dBFS, mean of the half second before the newest hop that sounds
     std::size_t sounding = 0;  // hops in a row
     bool is_damped = false;
+    std::size_t begin = 0;  // of the present quiet
+    float deepest = 0.0F;   // dBFS in it
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         const float level = sounds[i].level;
         const bool is_low = static_cast<double>(level) < played - static_cast<double>(kDampedUnder);
@@ -62,6 +65,16 @@ std::vector<char> quiet_hops(std::span<const HopSound> sounds) {
         }
         is_damped = is_damped && is_low;
         quiet[i] = static_cast<char>(level < levels[i / kBlock] || is_damped);
+        if (quiet[i] != 0) {
+            begin = sounding > 0 ? i : begin;
+            deepest = sounding > 0 ? level : std::min(deepest, level);
+        } else if (sounding == 0 &&
+                   static_cast<double>(deepest) > played - static_cast<double>(kDeepUnder)) {
+            // It was a gap in softer music.
+            for (std::size_t at = begin; at < i; ++at) {
+                quiet[at] = static_cast<char>(sounds[at].level < levels[at / kBlock]);
+            }
+        }
         sounding = quiet[i] != 0 ? 0 : sounding + 1;
         if (quiet[i] == 0) {
             const double share = sounding == 1 ? 1.0 : 1.0 / static_cast<double>(kPlayedHops);
