@@ -107,11 +107,13 @@ HopIndex SectionTracker::place_of_drop(HopIndex hop, const BeatLengths& lengths)
     return hops_[(count_ - best) % HopSums::kKept];
 }
 
-// Whether a phrase since the breakdown began was over one beat ago.
+// Whether a phrase since the breakdown began was over one beat ago, and the band has played since.
 bool SectionTracker::is_end_of_phrase(HopIndex hop, const BeatLengths& lengths) const noexcept {
     const double phrases = static_cast<double>(hop - lengths.beat - fell_) / lengths.phrase;
     const double apart = std::abs(phrases - std::round(phrases)) * lengths.phrase;
-    return phrases > 0.5 && apart < 0.35 * lengths.beat;
+    const auto beat = static_cast<std::size_t>(lengths.beat);
+    return phrases > 0.5 && apart < 0.35 * lengths.beat && sums_.size() > beat &&
+           calmness(sums_.mean(beat, beat / 2), full_) < kFullBelow;
 }
 
 // Whether the band of a song that began calm has come in.

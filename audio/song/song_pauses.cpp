@@ -15,7 +15,7 @@ constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the rippl
 // A pause is a habit of the music, and no stop, where at least kHabit others of about its length or
 // longer lie within kHabitHops before or after it.
 constexpr std::size_t kHabitHops = 1600;
-constexpr std::size_t kHabit = 4;
+constexpr std::size_t kHabit = 6;
 // The habits of a song are not known in its first seconds: only a long pause is a stop there.
 constexpr std::size_t kUnknownHops = 500;
 constexpr std::size_t kUnsureHops = 70;
