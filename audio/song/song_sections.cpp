@@ -125,8 +125,8 @@ std::vector<FullBand> full_bands(const SongStretches& beats) {
     std::vector<Bar> bars;
     for (std::size_t beat = 0; beat + beats.bar() < beats.size(); ++beat) {
         if (beats.has_sound(beat, beat + beats.bar())) {
-            bars.push_back({static_cast<double>(beats.hop_of(beat)) / kHopsPerSecond,
-                            beats.after(beat)});
+            bars.push_back(
+                {static_cast<double>(beats.hop_of(beat)) / kHopsPerSecond, beats.after(beat)});
         }
     }
     std::vector<FullBand> bands;
@@ -160,8 +160,10 @@ std::vector<FullBand> full_bands(const SongStretches& beats) {
 class SectionFinder {
  public:
     SectionFinder(const SongStretches& song, std::vector<char> downbeats)
-        : song_(song), bar_(song.bar()), downbeats_(std::move(downbeats)), full_(full_bands(song)) {
-    }
+        : song_(song),
+          bar_(song.bar()),
+          downbeats_(std::move(downbeats)),
+          full_(full_bands(song)) {}
 
     [[nodiscard]] std::vector<SongBreakdown> find() const {
         std::vector<SongBreakdown> breakdowns;
@@ -203,13 +205,18 @@ class SectionFinder {
             calmness(song_.mean(first, last), full_[first]) < kLeastCalm) {
             return std::nullopt;
         }
-        const std::size_t back = place_of_return(first, last);
-        if (first == 0 && back + 1 < song_.size() &&
-            !comes_in(song_.mean(back - std::min(back, 2 * bar_), back),
-                      song_.mean(back, std::min(song_.size() - 1, back + 2)))) {
-            return std::nullopt;  // it grows
+        if (first == 0 && last + 1 < song_.size()) {
+            // What grows has no return.
+            return has_come_in(last) ? std::optional<Beats>({first, last}) : std::nullopt;
         }
+        const std::size_t back = place_of_return(first, last);
         return Beats{first, back};
+    }
+
+    // Whether the band of a song that began calm comes in at a beat.
+    [[nodiscard]] bool has_come_in(std::size_t beat) const {
+        return comes_in(song_.mean(beat - std::min(beat, 2 * bar_), beat),
+                        song_.mean(beat, std::min(song_.size() - 1, beat + 2)));
     }
 
     // Calmness of the bar around a beat.
@@ -287,8 +294,8 @@ class SectionFinder {
                is_full(beat + bar_ / 2, std::min(last, beat + bar_ + bar_ / 2));
     }
 
-    // The beat at which the band is back, near where it is no longer calm; the end: there is none. A
-    // build-up may sound full before its end: a roll is not the return, and what comes out of a
+    // The beat at which the band is back, near where it is no longer calm; the end: there is none.
+    // A build-up may sound full before its end: a roll is not the return, and what comes out of a
     // stop soon after is.
     [[nodiscard]] std::size_t place_of_return(std::size_t first, std::size_t risen) const {
         const std::size_t last = song_.size() - 1;
@@ -368,7 +375,8 @@ class SectionFinder {
         for (std::size_t knee = kLeastBeats / 2; knee + bar_ <= beats.size(); ++knee) {
             const StretchSound begin = song_.mean(first + knee, first + knee + 2);
             const StretchSound last = song_.mean(end - 2, end);
-            const double error = misfit(beats, knee, full.usual) - (downbeats_[first + knee] != 0 ? 0.3 : 0.0);
+            const double error =
+                misfit(beats, knee, full.usual) - (downbeats_[first + knee] != 0 ? 0.3 : 0.0);
             if (error < least && rise_of(begin, last, full.usual) > kBuildUpRise) {
                 least = error;
                 best = first + knee;
