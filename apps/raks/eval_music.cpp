@@ -151,9 +151,8 @@ Expected<MusicReport> listen_to_generated(const EvalMusicArguments& arguments,
             return fail(music.error());
         }
         std::span<const float> rest = music->samples;
-        const auto told = listen(music->rate, models, [&rest] {
-            return std::exchange(rest, std::span<const float>());
-        });
+        const auto told = listen(
+            music->rate, models, [&rest] { return std::exchange(rest, std::span<const float>()); });
         if (!told) {
             return fail(told.error());
         }

@@ -108,7 +108,8 @@ ExitCode write_music(const audio::MusicPlan& plan, const SynthArguments& argumen
         }
     }
     if (!arguments.events.empty()) {
-        if (auto written = write_file(arguments.events, audio::events_text(truth->events)); !written) {
+        if (auto written = write_file(arguments.events, audio::events_text(truth->events));
+            !written) {
             return fail(written.error());
         }
     }

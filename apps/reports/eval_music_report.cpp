@@ -56,10 +56,8 @@ std::string text_of(const std::vector<MusicEvent>& events) {
 }
 
 std::string text_of(std::string_view way, const audio::FormFaults& faults) {
-    return fmt::format("  {}: missed{}; wrong{}\n",
-                       way,
-                       text_of(faults.missed),
-                       text_of(faults.false_ones));
+    return fmt::format(
+        "  {}: missed{}; wrong{}\n", way, text_of(faults.missed), text_of(faults.false_ones));
 }
 
 Json json_of(const std::vector<MusicEvent>& events) {
@@ -98,7 +96,8 @@ Row row_of(std::string_view style, const audio::RepeatScore& score) {
 std::string to_text(const MusicReport& report) {
     std::string text = fmt::format("{:.1f} minutes of {}\n", report.minutes, report.songs);
     for (const auto& [name, scores] : ways_of(report)) {
-        std::vector<Row> rows = {{name, "found", "%", "right %", "false/min", "offset s", "delay s", "p95 s"}};
+        std::vector<Row> rows = {
+            {name, "found", "%", "right %", "false/min", "offset s", "delay s", "p95 s"}};
         each_kind(*scores, [&](std::string_view kind, const audio::EventScore& score) {
             rows.push_back(row_of(kind, score, report.minutes));
         });

@@ -20,11 +20,12 @@ struct SongFaults {
 /// How well it was told what music does.
 struct MusicReport {
     std::string songs = "generated songs";  ///< which they are
-    double minutes = 0.0;     ///< of songs
-    audio::FormScores live;   ///< as it came
-    audio::FormScores ahead;  ///< of the whole song, before it sounded
-    std::vector<SongFaults> each;  ///< where the report is to name them
-    /// By style: bars of parts that come again, in songs that are known; of annotated songs nothing.
+    double minutes = 0.0;                   ///< of songs
+    audio::FormScores live;                 ///< as it came
+    audio::FormScores ahead;                ///< of the whole song, before it sounded
+    std::vector<SongFaults> each;           ///< where the report is to name them
+    /// By style: bars of parts that come again, in songs that are known; of annotated songs
+    /// nothing.
     std::vector<std::pair<std::string_view, audio::RepeatScore>> repeats;
 };
 

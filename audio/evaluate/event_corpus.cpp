@@ -94,7 +94,8 @@ Expected<std::vector<EventExcerpt>> load_event_corpus(const std::filesystem::pat
         excerpts.push_back(std::move(*excerpt));
     }
     if (excerpts.empty()) {
-        return fail(folder.string() + ": holds no song with its events: NAME.events beside NAME.ogg");
+        return fail(folder.string() +
+                    ": holds no song with its events: NAME.events beside NAME.ogg");
     }
     return excerpts;
 }

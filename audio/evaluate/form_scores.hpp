@@ -45,9 +45,9 @@ struct FormFaults {
     std::vector<MusicEvent> false_ones;  ///< told where there was none
 };
 
-/// Adds the scores of one piece and returns its faults. Each told event matches one at most. No fault are: the entry of a
-/// drop that comes out of a stop, and what is told of the sound that rings after the end. `truth`
-/// ascends. Threads: any. Real-time: no.
+/// Adds the scores of one piece and returns its faults. Each told event matches one at most. No
+/// fault are: the entry of a drop that comes out of a stop, and what is told of the sound that
+/// rings after the end. `truth` ascends. Threads: any. Real-time: no.
 FormFaults score_form(std::span<const TrueEvent> truth,
                       std::span<const ToldEvent> told,
                       FormScores& scores);

@@ -210,7 +210,8 @@ void write_form(const SongRecording& song,
     const std::vector<float> strongest = strongest_around(peaks);
     write_accents(song.sounds, peaks, strongest, states);
     write_parts(pauses, breakdowns, states);
-    write_events(events_of(pauses, breakdowns, end_of_song(song.sounds, peaks), states.size()), states);
+    write_events(events_of(pauses, breakdowns, end_of_song(song.sounds, peaks), states.size()),
+                 states);
     write_bars(song, beats, states);
 }
 
