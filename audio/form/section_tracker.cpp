@@ -29,8 +29,6 @@ constexpr int kCalmBars = 2;
 constexpr HopIndex kBuildUpHops = 400;
 // This many times the onsets of the full band are a drum roll, which leads to a drop.
 constexpr float kRollFactor = 1.3F;
-// A drop has been full for so many hops when it is told.
-constexpr int kDropHops = 8;
 // Where a song that began calm comes in: the sound of half a second against that of so many seconds
 // before it, for so many hops.
 constexpr std::size_t kComeInHops = 50;
