@@ -263,13 +263,16 @@ struct EvalGenreArguments {
 
 /// Arguments of `raks eval music`.
 struct EvalMusicArguments {
-    long long seed = 1;      ///< of the first song of each style
-    int songs = 3;           ///< of each style, [1, 1000]
-    double seconds = 100.0;  ///< length of a song, 20 to 3600
-    bool as_json = false;    ///< one JSON document instead of text
+    Path folder;                 ///< annotated songs: NAME.events, NAME.ogg; empty: generated ones
+    long long seed = 1;          ///< of the first song of each style
+    int songs = 3;               ///< of each style, [1, 1000]
+    double seconds = 100.0;      ///< length of a song, 20 to 3600
+    double tolerance = 1.0;      ///< seconds, of annotated events: found within, 0.05 to 5
+    bool asks_for_each = false;  ///< also what was missed and wrongly told in each song
+    bool as_json = false;        ///< one JSON document instead of text
 };
 /// Measures how well it is told what music does, live and of a song that is known, on generated
-/// songs.
+/// songs or on a folder of annotated ones.
 [[nodiscard]] ExitCode eval_music(const EvalMusicArguments& arguments);
 
 /// Arguments of `raks dances`.

@@ -1,7 +1,9 @@
-// `raks eval music`: measures how well it is told what music does, on generated songs.
+// `raks eval music`: measures how well it is told what music does, on generated or annotated songs.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/dances/known_dances.hpp"
@@ -9,12 +11,16 @@
 #include "apps/reports/eval_music_report.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "audio/evaluate/event_corpus.hpp"
 #include "audio/evaluate/form_scores.hpp"
 #include "audio/evaluate/repeat_scores.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "audio/music_analyzer.hpp"
 #include "audio/song/song_plan.hpp"
+#include "engine/offline/music_source.hpp"
 #include "engine/setup/analyzer_setup.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
@@ -38,11 +44,20 @@ constexpr double kChordBeats = 0.8;
 class Told final : public audio::MusicAnalyzer::Sink {
  public:
     void on_state(const MusicState& state) noexcept override {
+        newest = state.time;
         if (state.event.kind != MusicEvent::Kind::none) {
             events.push_back({state.event, state.time});
         }
     }
     std::vector<audio::ToldEvent> events;
+    StreamTime newest{};
+};
+
+// What was told of a song live, and of the whole of it.
+struct ToldBothWays {
+    Told live;
+    Told ahead;
+    std::vector<MusicState> states;  // of the whole of it
 };
 
 // The events of a piece, each to be found within a beat.
@@ -80,39 +95,46 @@ Expected<audio::GeneratedMusic> song_of(audio::Style style, std::uint64_t seed, 
     return music;
 }
 
-// One song, live and known ahead.
-Expected<void> listen(const audio::GeneratedMusic& music,
-                      Nanos beat,
-                      const engine::AnalyzerModels& models,
-                      audio::RepeatScore& repeats,
-                      MusicReport& report) {
-    const std::vector<audio::TrueEvent> truth = truth_of(music, beat);
-    auto live = engine::make_analyzer(music.rate, models);
-    auto song = engine::make_song_analyzer(music.rate, models);
+// Gives a song to both ways, block by block: `next` returns an empty block at its end. Live,
+// silence follows it.
+template <typename Next>
+Expected<ToldBothWays> listen(SampleRate rate,
+                              const engine::AnalyzerModels& models,
+                              const Next& next) {
+    auto live = engine::make_analyzer(rate, models);
+    auto song = engine::make_song_analyzer(rate, models);
     if (!live || !song) {
         return fail(live ? song.error() : live.error());
     }
-    Told heard;
-    live->process(music.samples, heard);
-    score_form(truth, heard.events, report.live);
-    song->process(music.samples);
-    Told known;
-    const audio::SongPlan plan = song->finish();
-    for (const MusicState& state : plan.states) {
-        known.on_state(state);
+    ToldBothWays told;
+    for (std::span<const float> block = next(); !block.empty() && !stop_signal(); block = next()) {
+        live->process(block, told.live);
+        song->process(block);
     }
-    score_form(truth, known.events, report.ahead);
-    repeats += score_repeats(audio::true_bars(music), plan.states);
-    return {};
+    live->process(std::vector<float>(static_cast<std::size_t>(kTail * rate.hertz())), told.live);
+    told.states = song->finish().states;
+    for (const MusicState& state : told.states) {
+        told.ahead.on_state(state);
+    }
+    return told;
 }
 
-}  // namespace
-
-ExitCode eval_music(const EvalMusicArguments& arguments) {
-    const auto models = load_models_of_known_dances();
-    if (!models) {
-        return fail(models.error());
+void score(const std::string& name,
+           const std::vector<audio::TrueEvent>& truth,
+           const ToldBothWays& told,
+           const EvalMusicArguments& arguments,
+           MusicReport& report) {
+    SongFaults faults{name,
+                      score_form(truth, told.live.events, report.live),
+                      score_form(truth, told.ahead.events, report.ahead)};
+    if (arguments.asks_for_each) {
+        report.each.push_back(std::move(faults));
     }
+}
+
+// All generated songs.
+Expected<MusicReport> listen_to_generated(const EvalMusicArguments& arguments,
+                                          const engine::AnalyzerModels& models) {
     MusicReport report;
     for (const audio::Style style : kStyles) {
         report.repeats.emplace_back(audio::name_of(style), audio::RepeatScore{});
@@ -128,21 +150,75 @@ ExitCode eval_music(const EvalMusicArguments& arguments) {
         if (!music) {
             return fail(music.error());
         }
-        const Nanos beat = nanos_from_seconds(audio::usual_tempo(style).seconds_per_beat());
-        if (auto heard = listen(*music, beat, *models, report.repeats[of_style].second, report);
-            !heard) {
-            return fail(heard.error());
+        std::span<const float> rest = music->samples;
+        const auto told = listen(
+            music->rate, models, [&rest] { return std::exchange(rest, std::span<const float>()); });
+        if (!told) {
+            return fail(told.error());
         }
+        const Nanos beat = nanos_from_seconds(audio::usual_tempo(style).seconds_per_beat());
+        score(fmt::format("{} {}", audio::name_of(style), seed),
+              truth_of(*music, beat),
+              *told,
+              arguments,
+              report);
+        report.repeats[of_style].second += score_repeats(audio::true_bars(*music), told->states);
         report.minutes += arguments.seconds / 60.0;
         progress.show(static_cast<double>(i + 1) / songs);
+    }
+    return report;
+}
+
+// All songs of a folder.
+Expected<MusicReport> listen_to_annotated(const EvalMusicArguments& arguments,
+                                          const engine::AnalyzerModels& models) {
+    const auto excerpts = audio::load_event_corpus(arguments.folder);
+    if (!excerpts) {
+        return fail(excerpts.error());
+    }
+    MusicReport report;
+    report.songs = "annotated songs";
+    ProgressLine progress("listening");
+    for (std::size_t i = 0; i < excerpts->size() && !stop_signal(); ++i) {
+        const audio::EventExcerpt& excerpt = (*excerpts)[i];
+        auto source = engine::MusicSource::open(excerpt.audio);
+        if (!source) {
+            return fail(source.error());
+        }
+        const auto told = listen(source->rate(), models, [&source] { return source->next().mono; });
+        if (!told) {
+            return fail(told.error());
+        }
+        std::vector<audio::TrueEvent> truth;
+        for (const MusicEvent& event : excerpt.events) {
+            truth.push_back({event, nanos_from_seconds(arguments.tolerance)});
+        }
+        score(excerpt.name, truth, *told, arguments, report);
+        report.minutes += to_seconds(source->given()) / 60.0;
+        progress.show(static_cast<double>(i + 1) / static_cast<double>(excerpts->size()));
+    }
+    return report;
+}
+
+}  // namespace
+
+ExitCode eval_music(const EvalMusicArguments& arguments) {
+    const auto models = load_models_of_known_dances();
+    if (!models) {
+        return fail(models.error());
+    }
+    const auto report = arguments.folder.empty() ? listen_to_generated(arguments, *models)
+                                                 : listen_to_annotated(arguments, *models);
+    if (!report) {
+        return fail(report.error());
     }
     if (stop_signal()) {
         return kExitDone;  // half a table would mislead
     }
     if (arguments.as_json) {
-        print_json(to_json(report));
+        print_json(to_json(*report));
     } else {
-        print_text(to_text(report));
+        print_text(to_text(*report));
     }
     return kExitDone;
 }

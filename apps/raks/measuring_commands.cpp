@@ -234,6 +234,11 @@ void add_eval_genre(RaksCommands& table, CLI::App& eval) {
 void add_eval_music(RaksCommands& table, CLI::App& eval) {
     auto [app, a] =
         table.add(eval, "music", "measure how stops, drops and endings are told", eval_music);
+    auto* folder = app->add_option("folder", a->folder, "NAME.events, NAME.ogg; else own songs");
+    app->add_option("--tolerance", a->tolerance, "seconds within which an annotated event is found")
+        ->check(in_range(0.05, 5.0))
+        ->needs(folder);
+    app->add_flag("--each", a->asks_for_each, "what was missed and wrongly told in each song");
     app->add_option("--seed", a->seed, "seed of the first song of each style")
         ->check(in_range(0, 1'000'000'000));
     app->add_option("--songs", a->songs, "songs of each style")->check(in_range(1, 1000));

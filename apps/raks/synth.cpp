@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "audio/evaluate/event_corpus.hpp"
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
 #include "base/pending_file.hpp"
@@ -63,15 +64,6 @@ std::string text_of(const std::vector<audio::ReferenceBeat>& beats) {
     return text;
 }
 
-// One event a line: seconds, and what happens.
-std::string text_of(const std::vector<MusicEvent>& events) {
-    std::string text;
-    for (const MusicEvent& event : events) {
-        text += fmt::format("{:.6f}\t{}\n", to_seconds(event.time), music_event_name(event.kind));
-    }
-    return text;
-}
-
 // "steady", "song" or sections with their beats, as the form of this plan.
 Expected<std::vector<audio::FormSection>> form_of(const std::string& form,
                                                   const audio::MusicPlan& plan) {
@@ -116,7 +108,8 @@ ExitCode write_music(const audio::MusicPlan& plan, const SynthArguments& argumen
         }
     }
     if (!arguments.events.empty()) {
-        if (auto written = write_file(arguments.events, text_of(truth->events)); !written) {
+        if (auto written = write_file(arguments.events, audio::events_text(truth->events));
+            !written) {
             return fail(written.error());
         }
     }

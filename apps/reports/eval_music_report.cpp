@@ -27,15 +27,11 @@ audio::EventScore total_of(const audio::FormScores& scores) {
     return total;
 }
 
-double found_share(const audio::EventScore& score) {
-    return score.wanted == 0 ? 1.0
-                             : static_cast<double>(score.found) / static_cast<double>(score.wanted);
-}
-
 Row row_of(std::string_view name, const audio::EventScore& score, double minutes) {
     return {std::string(name),
             fmt::format("{}/{}", score.found, score.wanted),
-            fmt::format("{:.1f}", 100.0 * found_share(score)),
+            fmt::format("{:.1f}", 100.0 * score.recall()),
+            fmt::format("{:.1f}", 100.0 * score.precision()),
             fmt::format("{:.2f}", static_cast<double>(score.false_ones) / minutes),
             fmt::format("{:+.2f}", percentile(score.offsets, 0.5)),
             fmt::format("{:.2f}", percentile(score.delays, 0.5)),
@@ -49,6 +45,27 @@ void each_kind(const audio::FormScores& scores, const Take& take) {
         take(music_event_name(static_cast<MusicEvent::Kind>(i)), scores[i]);
     }
     take(std::string_view("all"), total_of(scores));
+}
+
+std::string text_of(const std::vector<MusicEvent>& events) {
+    std::string text;
+    for (const MusicEvent& event : events) {
+        text += fmt::format(" {} {:.2f}", music_event_name(event.kind), to_seconds(event.time));
+    }
+    return text.empty() ? " nothing" : text;
+}
+
+std::string text_of(std::string_view way, const audio::FormFaults& faults) {
+    return fmt::format(
+        "  {}: missed{}; wrong{}\n", way, text_of(faults.missed), text_of(faults.false_ones));
+}
+
+Json json_of(const std::vector<MusicEvent>& events) {
+    Json list = Json::array();
+    for (const MusicEvent& event : events) {
+        list.push_back({{"event", music_event_name(event.kind)}, {"time", to_seconds(event.time)}});
+    }
+    return list;
 }
 
 std::array<std::pair<const char*, const audio::FormScores*>, 2> ways_of(const MusicReport& report) {
@@ -77,13 +94,21 @@ Row row_of(std::string_view style, const audio::RepeatScore& score) {
 }  // namespace
 
 std::string to_text(const MusicReport& report) {
-    std::string text = fmt::format("{:.1f} minutes of generated songs\n", report.minutes);
+    std::string text = fmt::format("{:.1f} minutes of {}\n", report.minutes, report.songs);
     for (const auto& [name, scores] : ways_of(report)) {
-        std::vector<Row> rows = {{name, "found", "%", "false/min", "offset s", "delay s", "p95 s"}};
+        std::vector<Row> rows = {
+            {name, "found", "%", "right %", "false/min", "offset s", "delay s", "p95 s"}};
         each_kind(*scores, [&](std::string_view kind, const audio::EventScore& score) {
             rows.push_back(row_of(kind, score, report.minutes));
         });
         text += "\n" + text_table(rows);
+    }
+    for (const SongFaults& song : report.each) {
+        text += fmt::format("\n{}\n", song.song) + text_of("live", song.live) +
+                text_of("ahead", song.ahead);
+    }
+    if (report.repeats.empty()) {
+        return text;
     }
     std::vector<Row> rows = {{"bars that repeat", "found", "%", "right", "%"}};
     each_style(report, [&](std::string_view style, const audio::RepeatScore& score) {
@@ -103,6 +128,7 @@ std::string to_json(const MusicReport& report) {
             document[way][std::string(kind)] = {
                 {"wanted", score.wanted},
                 {"found", score.found},
+                {"right", score.precision()},
                 {"false_a_minute", static_cast<double>(score.false_ones) / report.minutes},
                 {"offset_median_s", percentile(score.offsets, 0.5)},
                 {"delay_median_s", percentile(score.delays, 0.5)},
@@ -115,6 +141,13 @@ std::string to_json(const MusicReport& report) {
                                                    {"told", score.told},
                                                    {"right", score.right}};
     });
+    for (const SongFaults& song : report.each) {
+        document["songs"].push_back({{"song", song.song},
+                                     {"live_missed", json_of(song.live.missed)},
+                                     {"live_wrong", json_of(song.live.false_ones)},
+                                     {"ahead_missed", json_of(song.ahead.missed)},
+                                     {"ahead_wrong", json_of(song.ahead.false_ones)}});
+    }
     return document.text(2) + "\n";
 }
 

@@ -1,14 +1,13 @@
 #include "audio/evaluate/beat_corpus.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include "audio/evaluate/table_cells.hpp"
+#include "audio/evaluate/text_lines.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 
@@ -27,69 +26,6 @@ constexpr std::size_t kLongestName = 200;
 constexpr double kEarliest = -10.0;
 constexpr double kLatest = 1e6;
 constexpr int kLongestBar = 64;
-constexpr std::array<const char*, 6> kAudioExtensions = {
-    ".ogg", ".wav", ".flac", ".mp3", ".opus", ".m4a"};
-
-// Steps through the lines of a text and skips those without content; keeps the line number.
-class Lines {
- public:
-    explicit Lines(std::string_view text) : rest_(text) {}
-
-    bool next() {
-        while (!rest_.empty()) {
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            line_ = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            ++number_;
-            if (!line_.empty() && line_.back() == '\r') {
-                line_.remove_suffix(1);
-            }
-            if (line_.find_first_not_of(" \t") != std::string_view::npos && line_.front() != '#') {
-                return true;
-            }
-        }
-        return false;
-    }
-    [[nodiscard]] std::string_view line() const noexcept { return line_; }
-    [[nodiscard]] std::size_t number() const noexcept { return number_; }
-
- private:
-    std::string_view rest_;
-    std::string_view line_;
-    std::size_t number_ = 0;
-};
-
-// Text of a file as an error shows it: at most 20 characters, all but printable ASCII as '?'.
-std::string shown(std::string_view text) {
-    std::string result(text.substr(0, 20));
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return result;
-}
-
-// Where an error occurred: file and line.
-std::string at_line(const std::string& file, const Lines& lines) {
-    return fmt::format("{}: line {}", file, lines.number());
-}
-
-// Removes the first word (up to a blank or tab) from the start of `line` and returns it; empty at
-// the end of the line.
-std::string_view take_word(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-// The number that a whole word spells. from_chars ignores the locale, and it reads "inf" and "nan",
-// which are refused here.
-std::optional<double> number_of(std::string_view word) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number = error == std::errc() && end == word.data() + word.size();
-    return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 // One line of a .beats file: seconds, and the bar position if there is one.
 struct BeatLine {
     double time = 0.0;
@@ -189,25 +125,11 @@ Expected<BeatList> load_reference(const fs::path& path) {
     return beats;
 }
 
-// The first of the known extensions that exists; the error names them all.
-Expected<fs::path> find_audio(const fs::path& folder, const std::string& name) {
-    for (const char* extension : kAudioExtensions) {
-        const fs::path path = folder / (name + extension);
-        std::error_code ignored;
-        if (fs::is_regular_file(path, ignored)) {
-            return path;
-        }
-    }
-    return fail(fmt::format("{}: is missing; neither is there a {}",
-                            (folder / (name + kAudioExtensions.front())).string(),
-                            fmt::join(kAudioExtensions.begin() + 1, kAudioExtensions.end(), ", ")));
-}
-
 }  // namespace
 
 Expected<std::vector<BeatIndexRow>> parse_beat_index(std::string_view text,
                                                      const std::string& file) {
-    Lines lines(text);
+    TextLines lines(text);
     const std::vector<std::string_view> columns =
         lines.next() ? cells_of(lines.line()) : std::vector<std::string_view>{};
     // Number of the column, or the number of columns where it is missing.
@@ -225,11 +147,11 @@ Expected<std::vector<BeatIndexRow>> parse_beat_index(std::string_view text,
     while (lines.next()) {
         auto row = row_of(cells_of(lines.line()), column("name"), column("class"));
         if (!row) {
-            return fail(std::move(row.error()).in(at_line(file, lines)));
+            return fail(std::move(row.error()).in(lines.place_in(file)));
         }
         // Two rows of one name would read, and count, the same excerpt twice.
         if (!names.insert(row->name).second) {
-            return fail(fmt::format("{}: \"{}\" comes twice", at_line(file, lines), row->name));
+            return fail(fmt::format("{}: \"{}\" comes twice", lines.place_in(file), row->name));
         }
         rows.push_back(std::move(*row));
     }
@@ -241,16 +163,16 @@ Expected<std::vector<BeatIndexRow>> parse_beat_index(std::string_view text,
 
 Expected<BeatList> parse_beats(std::string_view text, const std::string& file) {
     std::vector<BeatLine> beats;
-    Lines lines(text);
+    TextLines lines(text);
     while (lines.next()) {
         auto beat = parse_beat(lines.line());
         if (!beat) {
-            return fail(std::move(beat.error()).in(at_line(file, lines)));
+            return fail(std::move(beat.error()).in(lines.place_in(file)));
         }
         // A mixed file would leave bar_positions shorter than times.
         if (!beats.empty() && beat->bar_position.has_value() != beats[0].bar_position.has_value()) {
             return fail(fmt::format("{}: must have a bar position in all lines or none",
-                                    at_line(file, lines)));
+                                    lines.place_in(file)));
         }
         beats.push_back(*beat);
     }
@@ -285,7 +207,7 @@ Expected<std::vector<BeatExcerpt>> load_beat_corpus(const fs::path& folder) {
         if (!reference) {
             return fail(std::move(reference.error()));
         }
-        auto audio = find_audio(folder, row.name);
+        auto audio = find_sound(folder, row.name);
         if (!audio) {
             return fail(std::move(audio.error()));
         }

@@ -64,14 +64,8 @@ MusicAccent AccentDetector::advance(HopIndex hop,
     const bool is_peak = here > weight(ago(0)) && here > weight(ago(1)) && here >= weight(ago(3)) &&
                          here >= weight(ago(4));
     const HopIndex own = hop - static_cast<HopIndex>(kLateHops);
-    if (!is_peak || here < kLeast) {
-        return {};
-    }
-    const std::size_t now = hops_ / kHopsABlock + kBlocks;
-    const float of_late =
-        std::max({block, strongest_[(now - 1) % kBlocks], strongest_[(now - 2) % kBlocks]});
-    onset_ = here >= kStandsOut * of_late ? own : onset_;
-    if (here < kStrong * strongest || own - last_ < kApart) {
+    chord_.advance(own, ago(kLateHops), is_peak ? here : 0.0F);
+    if (!is_peak || here < kLeast || here < kStrong * strongest || own - last_ < kApart) {
         return {};
     }
     last_ = own;

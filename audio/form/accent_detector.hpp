@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "audio/form/hop_sound.hpp"
+#include "audio/form/last_chord.hpp"
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
@@ -19,15 +20,14 @@ class AccentDetector {
     MusicAccent advance(HopIndex hop,
                         const HopSound& sound,
                         const BeatGrid& grid) noexcept RAKS_NONBLOCKING;
-    /// When the last onset was that stood out among those of the 3 s before it, strong or not.
-    [[nodiscard]] StreamTime last_onset() const noexcept { return time_of_hop(onset_); }
+    /// Where the music ends, should it end now (LastChord).
+    [[nodiscard]] StreamTime last_onset() const noexcept { return time_of_hop(chord_.hop()); }
     /// Forgets the stream.
     void reset() noexcept { *this = AccentDetector(); }
 
-    static constexpr float kStrong = 0.5F;     ///< least strength of an accent
-    static constexpr float kStandsOut = 0.3F;  ///< of the strongest of 3 s: an onset that is heard
-    static constexpr float kLeast = 0.1F;      ///< weight under which nothing is an onset
-    static constexpr HopIndex kApart = 15;     ///< hops: one sound has one accent
+    static constexpr float kStrong = 0.5F;  ///< least strength of an accent
+    static constexpr float kLeast = 0.1F;   ///< weight under which nothing is an onset
+    static constexpr HopIndex kApart = 15;  ///< hops: one sound has one accent
     /// How strong the onset of a hop is, >= 0: hits, weighted by band.
     [[nodiscard]] static float weight(const HopSound& sound) noexcept;
     /// An accent of this strength at a hop.
@@ -43,7 +43,7 @@ class AccentDetector {
     std::array<HopSound, kAround> sounds_{};  // of the last hops, ring
     std::size_t hops_ = 0;
     std::array<float, kBlocks> strongest_{};  // onset by second, ring
-    HopIndex onset_ = 0;                      // hop of last_onset()
+    LastChord chord_;                         // for last_onset()
     HopIndex last_ = -1'000;                  // hop of the last accent
 };
 

@@ -53,7 +53,7 @@ void FormTracker::advance(std::span<const float, HopListener::kMelBands> mel,
     queue(event);
     energy_ = energy_meter_.advance(sound_, pauses_.is_stopped());
     if (!pauses_.is_stopped()) {
-        queue(sections_.advance(state.hop, sound_, lengths));
+        queue(sections_.advance(state.hop, sound_, lengths, pauses_.is_quiet()));
         state.accent = accents_.advance(state.hop, sound_, state.grid);
     }
     set_part(state);

@@ -11,6 +11,8 @@ namespace {
 
 // Mel bands (30 to 15,500 Hz in 36) up to 200 Hz and up to 4 kHz.
 constexpr std::array<std::size_t, kFormBands + 1> kEdges = {0, 2, 21, HopListener::kMelBands};
+// The first mel band above 6 kHz.
+constexpr std::size_t kFirstTopBand = 28;
 // The usual magnitude follows a louder sound within 0.3 s, a softer one within 6 s, so that pauses
 // and soft passages stay soft.
 constexpr float kRise = 1.0F / 30.0F;
@@ -44,13 +46,17 @@ HopSound HopListener::advance(float level_dbfs,
                               std::span<const float, kMelBands> mel) noexcept RAKS_NONBLOCKING {
     HopSound sound;
     sound.level = level_dbfs;
-    for (std::size_t group = 0; group < kFormBands; ++group) {
+    const auto decibels = [&](std::size_t from, std::size_t to) {
         float power = kLeastPower;
-        for (std::size_t i = kEdges[group]; i < kEdges[group + 1]; ++i) {
+        for (std::size_t i = from; i < to; ++i) {
             power += mel[i] * mel[i];
         }
-        sound.bands[group] = 10.0F * std::log10(power);
+        return 10.0F * std::log10(power);
+    };
+    for (std::size_t group = 0; group < kFormBands; ++group) {
+        sound.bands[group] = decibels(kEdges[group], kEdges[group + 1]);
     }
+    sound.top = decibels(kFirstTopBand, mel.size());
     const float mean = std::accumulate(mel.begin(), mel.end(), 0.0F) / kMelBands;
     // The first sound sets the level, as nothing is known before.
     usual_ += (usual_ <= kLeastUsual ? 1.0F : mean > usual_ ? kRise : kFall) * (mean - usual_);

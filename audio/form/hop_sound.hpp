@@ -17,6 +17,7 @@ inline constexpr std::size_t kFormBands = 3;
 struct HopSound {
     float level = -120.0F;                  ///< dBFS of the hop's samples
     std::array<float, kFormBands> bands{};  ///< dB of the mel bands of each band, not below -120
+    float top = -120.0F;  ///< likewise of those above 6 kHz, where cymbals and snares sound
     /// Mean rise of the logarithm of the mel bands over two hops, >= 0: how much begins, soft
     /// sounds included.
     std::array<float, kFormBands> novelty{};

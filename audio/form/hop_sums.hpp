@@ -14,6 +14,7 @@ namespace raks::audio {
 struct StretchSound {
     float low = 0.0F;         ///< dB, of the mean power of the low band
     float level = 0.0F;       ///< dBFS, of the mean power of all
+    float top = 0.0F;         ///< dB, of the mean power above 6 kHz
     float low_onsets = 0.0F;  ///< mean novelty of the low band
     float onsets = 0.0F;      ///< mean novelty of all bands
     float brightness = 0.0F;  ///< dB, mean
@@ -21,7 +22,7 @@ struct StretchSound {
 
 /// Sums over all hops up to one, from which any stretch follows.
 struct SoundSums {
-    std::array<double, 5> sums{};  ///< by the fields of StretchSound, levels as powers
+    std::array<double, 6> sums{};  ///< by the fields of StretchSound, levels as powers
 
     /// The sums with one hop more.
     [[nodiscard]] SoundSums plus(const HopSound& sound) const noexcept {
@@ -30,9 +31,10 @@ struct SoundSums {
         };
         return {{sums[0] + power(sound.bands[0]),
                  sums[1] + power(sound.level),
-                 sums[2] + static_cast<double>(sound.novelty[0]),
-                 sums[3] + static_cast<double>(sound.total_novelty()),
-                 sums[4] + static_cast<double>(sound.brightness())}};
+                 sums[2] + power(sound.top),
+                 sums[3] + static_cast<double>(sound.novelty[0]),
+                 sums[4] + static_cast<double>(sound.total_novelty()),
+                 sums[5] + static_cast<double>(sound.brightness())}};
     }
     /// Means of the `count` hops from `before` on; there must be one.
     [[nodiscard]] StretchSound since(const SoundSums& before, std::size_t count) const noexcept {
@@ -44,9 +46,10 @@ struct SoundSums {
         };
         return {decibels(mean(0)),
                 decibels(mean(1)),
-                static_cast<float>(mean(2)),
+                decibels(mean(2)),
                 static_cast<float>(mean(3)),
-                static_cast<float>(mean(4))};
+                static_cast<float>(mean(4)),
+                static_cast<float>(mean(5))};
     }
 };
 

@@ -30,10 +30,18 @@ constexpr float kNoiseShare = 0.05F;
 
 // A sound that falls by so many dB within 30 ms was cut: no instrument falls so fast.
 constexpr float kCutDecibels = 40.0F;
-// The shortest pause that is a stop, in hops: where the sound was cut; where it faded, as between
-// two notes, which also takes such a share of a beat; and while the habits of the song are not
-// known.
+// Players who damp their strings and cymbals stop within 100 ms, though hiss and the room go on: so
+// many dB under the usual level of the last second, which is followed by this share a hop.
+constexpr float kDampedDecibels = 24.0F;
+constexpr float kDeepDecibels = 28.0F;  // that it reaches, or it was a gap in softer music
+constexpr float kPlayingShare = 0.02F;
+constexpr float kNearPlaying = 6.0F;
+// The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as
+// between two notes, which also takes such a share of a beat; and while the habits of the song are
+// not known.
 constexpr int kCutStopHops = 8;
+constexpr int kDampedStopHops = 26;
+constexpr float kDampedStopBeats = 0.55F;
 constexpr int kFadedStopHops = 26;
 constexpr float kFadedStopBeats = 0.9F;
 constexpr int kUnsureStopHops = 70;
@@ -45,7 +53,7 @@ constexpr int kShortestGapHops = 3;
 // of a gap that is no longer than the last number of hops, one does. Gaps that are older than this
 // do not count.
 constexpr int kHabitHops = 500;
-constexpr std::size_t kHabitGaps = 3;
+constexpr std::size_t kHabitGaps = 4;
 constexpr int kShortGapHops = 40;
 constexpr HopIndex kRememberedHops = 1200;
 // A stop of 3 s is the end.
@@ -61,9 +69,9 @@ void PauseDetector::follow_level(float level) noexcept {
     loud_ = std::max(level, loud_ - (is_stopped_ ? kStoppedFallDecibels : kLoudFallDecibels));
 }
 
-// A pause must be longer than the third longest gap of the last 12 s: what the song did once or
-// twice is a stop of its own, what it did more often is how it is played. A short gap needs no
-// others.
+// A pause must be longer than the fourth longest gap of the last 12 s: what the song did up to
+// three times is a stop of its own, what it did more often is how it is played. A short gap needs
+// no others.
 int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     std::array<int, kHabitGaps> longest{};  // descending
     int habit = 0;
@@ -80,7 +88,13 @@ int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
     habit = std::max(habit, longest.back());
     const int faded =
         std::max(kFadedStopHops, static_cast<int>(kFadedStopBeats * static_cast<float>(beat)));
-    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops : is_cut_ ? kCutStopHops : faded;
+    const int damped =
+        std::max(kDampedStopHops, static_cast<int>(kDampedStopBeats * static_cast<float>(beat)));
+    const bool is_deep = is_damped_ && playing_ - deepest_ > kDeepDecibels;
+    const int least = heard_hops_ < kHabitHops ? kUnsureStopHops
+                      : is_cut_                ? kCutStopHops
+                      : is_deep                ? damped
+                                               : faded;
     return std::clamp(habit + habit / 4 + 2, least, kLongestGapHops);
 }
 
@@ -92,9 +106,20 @@ void PauseDetector::remember(HopIndex hop) noexcept {
     quiet_hops_ = 0;
 }
 
+// Whether this hop is quiet; a sound that was damped is at a higher level.
+bool PauseDetector::is_below(float level) noexcept {
+    deepest_ = quiet_hops_ == 0 ? level : std::min(deepest_, level);
+    if (quiet_hops_ == 0) {
+        is_damped_ = *std::max_element(before_.begin(), before_.end()) > playing_ - kNearPlaying &&
+                     playing_ - level > kDampedDecibels;
+    }
+    return level < quiet_level() || (is_damped_ && playing_ - level > kDampedDecibels);
+}
+
 // One hop while music plays: has it stopped?
 MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
-    if (level >= quiet_level()) {
+    if (!is_below(level)) {
+        playing_ += kPlayingShare * (level - playing_);
         remember(hop);
         heard_hops_ = std::min(heard_hops_ + 1, kHabitHops);
         std::shift_left(before_.begin(), before_.end(), 1);
@@ -103,7 +128,7 @@ MusicEvent PauseDetector::listen(HopIndex hop, float level, int beat) noexcept {
     }
     if (quiet_hops_ < 2) {
         // The hop in which it was cut is half full.
-        is_cut_ = *std::max_element(before_.begin(), before_.end()) - level >= kCutDecibels;
+        is_cut_ = *std::max_element(before_.end() - 3, before_.end()) - level >= kCutDecibels;
     }
     if (++quiet_hops_ < hops_to_stop(hop, beat)) {
         return {};
@@ -122,6 +147,7 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
     if (level >= std::max(threshold, resting_ + kOverNoiseDecibels)) {
         if (++loud_hops_ >= kEntryHops) {
             is_stopped_ = false;
+            playing_ = level;
             if (has_ended_) {
                 // Another song has its own habits.
                 heard_hops_ = 0;

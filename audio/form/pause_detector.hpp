@@ -11,8 +11,9 @@ namespace raks::audio {
 
 /// Tells when music stops, goes on and is over, by the level alone. A stop is a pause longer than
 /// the song has made a habit of: in music that has none it is known 80 ms after the sound was cut,
-/// or, where it faded, when nearly a beat has passed 30 dB under the loudest; in staccato music,
-/// whose gaps between notes it has learnt, later. Threads: one. Real-time: yes.
+/// after a quarter of a second where it was damped and hiss or a room goes on, and where it faded,
+/// when nearly a beat has passed 30 dB under the loudest; in staccato music, whose gaps between
+/// notes it has learnt, later. Threads: one. Real-time: yes.
 class PauseDetector {
  public:
     /// The next hop: its level in dBFS, and how many hops a beat has. Returns what happened: stop,
@@ -40,18 +41,21 @@ class PauseDetector {
     void remember(HopIndex hop) noexcept;
     [[nodiscard]] int hops_to_stop(HopIndex hop, int beat) const noexcept;
     [[nodiscard]] float quiet_level() const noexcept;
+    [[nodiscard]] bool is_below(float level) noexcept;
 
     float loud_ = -200.0F;     // dBFS, falls slowly; -200: nothing was heard
     float resting_ = -120.0F;  // dBFS, smoothed, of the present stop
     bool is_stopped_ = true;
-    bool has_ended_ = true;  // the present stop was told as the end, or there was no music yet
-    int quiet_hops_ = 0;     // in a row
-    bool is_cut_ = false;    // the present quiet began within 30 ms
-    std::array<float, 3> before_{
-        -120.0F, -120.0F, -120.0F};  // levels of the last hops that sounded
-    int loud_hops_ = 0;              // in a row, of a stop
-    int heard_hops_ = 0;             // that sounded since the last long stop; saturates
-    std::array<Gap, kGaps> gaps_{};  // ring
+    bool has_ended_ = true;    // the present stop was told as the end, or there was no music yet
+    int quiet_hops_ = 0;       // in a row
+    bool is_cut_ = false;      // the present quiet began within 30 ms
+    float deepest_ = 0.0F;     // dBFS, of the present quiet
+    bool is_damped_ = false;   // it began within 100 ms
+    float playing_ = -120.0F;  // dBFS, of the sound, smoothed
+    std::array<float, 10> before_{};  // levels of the last hops that sounded, the newest last
+    int loud_hops_ = 0;               // in a row, of a stop
+    int heard_hops_ = 0;              // that sounded since the last long stop; saturates
+    std::array<Gap, kGaps> gaps_{};   // ring
     std::size_t gap_count_ = 0;
 };
 

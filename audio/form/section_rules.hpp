@@ -8,43 +8,67 @@
 /// known.
 namespace raks::audio {
 
-/// How far a stretch fell under the full band, each share 0 (as full) to 1 (gone).
-struct Fall {
-    float low = 0.0F;         ///< low band: 1 at 8 dB
-    float low_onsets = 0.0F;  ///< 1 at 45 % of them
-    float onsets = 0.0F;      ///< 1 at 60 % of them
-    float level = 0.0F;       ///< 1 at 6 dB
-    /// All together, 0 to 4.
-    [[nodiscard]] float sum() const noexcept { return low + low_onsets + onsets + level; }
-    /// Whether the rhythm section is gone: a softer verse keeps its onsets.
-    [[nodiscard]] bool is_breakdown() const noexcept {
-        return sum() > 2.0F && low_onsets + onsets > 0.6F;
+/// The full band: what the fuller bars around have.
+struct FullBand {
+    StretchSound usual;         ///< three quarters of the bars have less
+    float low_spread = 0.0F;    ///< dB from the middle bar to that below which nine tenths lie
+    float level_spread = 0.0F;  ///< likewise
+    float top_spread = 0.0F;    ///< likewise
+
+    /// `at(share, part)`: the value of a part of StretchSound below which this share of the bars
+    /// lies.
+    template <typename At>
+    [[nodiscard]] static FullBand of(const At& at) {
+        FullBand full;
+        for (const auto part : {&StretchSound::low,
+                                &StretchSound::level,
+                                &StretchSound::top,
+                                &StretchSound::low_onsets,
+                                &StretchSound::onsets}) {
+            full.usual.*part = at(0.75, part);
+        }
+        const auto spread = [&](auto part) { return at(0.9, part) - at(0.5, part); };
+        full.low_spread = spread(&StretchSound::low);
+        full.level_spread = spread(&StretchSound::level);
+        full.top_spread = spread(&StretchSound::top);
+        return full;
     }
-    /// Whether the whole band plays.
-    [[nodiscard]] bool is_full() const noexcept { return sum() < 1.3F && level < 0.6F; }
 };
 
-/// Compares a stretch of about a bar with the full band.
-[[nodiscard]] inline Fall fall_of(const StretchSound& now, const StretchSound& full) noexcept {
-    const auto share = [](float fallen) { return std::clamp(fallen, 0.0F, 1.0F); };
-    return {share((full.low - now.low) / 8.0F),
-            share((1.0F - now.low_onsets / (full.low_onsets + 1e-4F)) / 0.55F),
-            share((1.0F - now.onsets / (full.onsets + 1e-4F)) / 0.4F),
-            share((full.level - now.level) / 6.0F)};
+/// Above 0 the rhythm section is gone, below it plays; about -3 to 4. What counts most is the top
+/// of the spectrum and then the low band: cymbals, snare and kick are missed there whatever
+/// guitars and pads do. A limiter leaves little of a fall, so it is measured in what the bars of
+/// the full band differ by. The weights are a logistic regression's over annotated and generated
+/// songs.
+[[nodiscard]] inline float calmness(const StretchSound& now, const FullBand& full) noexcept {
+    const auto fall = [](float usual, float level, float spread, float whole) {
+        return std::clamp(
+            (usual - level) / std::clamp(2.5F * spread, 0.5F * whole, whole), -0.5F, 1.5F);
+    };
+    const StretchSound& usual = full.usual;
+    return 2.1F * fall(usual.top, now.top, full.top_spread, 10.0F) +
+           1.3F * fall(usual.low, now.low, full.low_spread, 10.0F) +
+           0.5F * fall(usual.level, now.level, full.level_spread, 6.0F) +
+           0.4F * std::clamp(1.0F - now.onsets / (usual.onsets + 1e-4F), -0.5F, 1.0F) - 3.1F;
 }
 
-/// How much the sound falls from one stretch to the next, in shares of the full band: where it is
-/// greatest, the rhythm section leaves.
-[[nodiscard]] inline float step_down(const StretchSound& before,
-                                     const StretchSound& after,
-                                     const StretchSound& full) noexcept {
-    return (before.low - after.low) / 8.0F + (before.level - after.level) / 6.0F +
-           (before.low_onsets - after.low_onsets) / (full.low_onsets + 1e-3F) +
-           (before.onsets - after.onsets) / (full.onsets + 1e-3F);
-}
+/// Below this calmness() the whole band plays.
+inline constexpr float kFullBelow = -0.8F;
+/// By how much calmness() must change within a bar where a rhythm section leaves; a song that fades
+/// out, or a filter that closes slowly, has less.
+inline constexpr float kLeastStep = 3.2F;
 
-/// What step_down() is where a rhythm section leaves; a song that fades out has less.
-inline constexpr float kLeastStepDown = 1.4F;
+/// Whether the band of a song that began calm comes in between two stretches, of some seconds and
+/// of half a second: everything is there that was not, and louder, which a further layer of a song
+/// that grows is not.
+[[nodiscard]] inline bool comes_in(const StretchSound& before, const StretchSound& after) noexcept {
+    constexpr float kSpread = 4.0F;     // dB, as if the bars of the full band differed by so much
+    constexpr float kLevelRise = 3.2F;  // dB
+    constexpr float kLowRise = 3.5F;    // dB
+    constexpr float kLeastCalm = 0.6F;  // calmness()
+    return after.level - before.level > kLevelRise && after.low - before.low > kLowRise &&
+           calmness(before, {after, kSpread, kSpread, kSpread}) > kLeastCalm;
+}
 
 /// How much it rises from one stretch to the next; above 1 it is the rise of a build-up.
 [[nodiscard]] inline float rise_of(const StretchSound& before,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "audio/form/accent_detector.hpp"
+#include "audio/form/last_chord.hpp"
 #include "audio/song/song_bars.hpp"
 #include "audio/song/song_energy.hpp"
 #include "audio/song/song_pauses.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t kAccentReach = 1500;  // hops to either side among which an accent is strong
 constexpr std::size_t kFirstBar = 200;      // hops
-constexpr std::size_t kLate = 300;          // hops before an onset among which it stands out
+constexpr std::size_t kBeforeEnd = 200;     // hops
 
 // An event at the hop at which it is told.
 struct FormEvent {
@@ -99,16 +100,13 @@ void write_parts(const std::vector<SongPause>& pauses,
     }
 }
 
-// The last onset of the music that stands out among those before it: its last chord or beat.
-std::size_t last_onset(const std::vector<float>& peaks) {
-    for (std::size_t i = peaks.size(); i-- > 0;) {
-        const auto at = peaks.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto first = at - static_cast<std::ptrdiff_t>(std::min(i, kLate));
-        if (*at > 0.0F && *at >= AccentDetector::kStandsOut * *std::max_element(first, at + 1)) {
-            return i;
-        }
+// Its last chord or beat.
+std::size_t end_of_song(std::span<const HopSound> sounds, const std::vector<float>& peaks) {
+    LastChord chord;
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+        chord.advance(static_cast<HopIndex>(i), sounds[i], peaks[i]);
     }
-    return peaks.size() - 1;
+    return static_cast<std::size_t>(chord.hop());
 }
 
 // Most of a beat, so that one is missed, and a quarter of a second at least.
@@ -159,7 +157,10 @@ std::vector<FormEvent> events_of(const std::vector<SongPause>& pauses,
             events.push_back({breakdown.end, Kind::drop});
         }
     }
-    std::erase_if(events, [end](const FormEvent& event) { return event.hop >= end; });
+    // What is told right before the last chord is of the chord.
+    std::erase_if(events, [end](const FormEvent& event) {
+        return event.hop + (event.kind == Kind::breakdown ? kBeforeEnd : 0) >= end;
+    });
     events.push_back({end, Kind::end});
     std::stable_sort(events.begin(), events.end(), [](const FormEvent& a, const FormEvent& b) {
         return a.hop < b.hop;
@@ -209,7 +210,8 @@ void write_form(const SongRecording& song,
     const std::vector<float> strongest = strongest_around(peaks);
     write_accents(song.sounds, peaks, strongest, states);
     write_parts(pauses, breakdowns, states);
-    write_events(events_of(pauses, breakdowns, last_onset(peaks), states.size()), states);
+    write_events(events_of(pauses, breakdowns, end_of_song(song.sounds, peaks), states.size()),
+                 states);
     write_bars(song, beats, states);
 }
 

@@ -1,6 +1,7 @@
 #include "audio/song/song_sections.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -11,8 +12,14 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kFull = 0.75;           // share of the bars that are less full than the full band
-constexpr std::size_t kLeastBeats = 4;   // of a breakdown
+constexpr double kAroundSeconds = 60.0;  // to either side: the bars that make the full band
+constexpr std::size_t kBandBeats = 8;    // between two looks at the full band
+constexpr std::size_t kLeastBeats = 3;   // of a breakdown
+// calmness() of a breakdown as a whole.
+constexpr float kLeastCalm = 0.4F;
+// A beat counts so much at most, and a change between calm and full costs so much.
+constexpr float kMostOfABeat = 2.0F;
+constexpr float kChange = 3.0F;
 constexpr std::size_t kRisingBeats = 8;  // of a breakdown that can hold a build-up
 constexpr double kSteadyBeat = 0.5;      // seconds, where a song has no beats
 constexpr std::size_t kPhraseBeats = 16;
@@ -109,103 +116,169 @@ std::vector<std::size_t> beat_hops(const std::vector<SongBeat>& beats,
     return result;
 }
 
-// The full band: the higher values of all bars.
-StretchSound full_band(const SongStretches& beats) {
-    std::vector<double> low;
-    std::vector<double> level;
-    std::vector<double> low_onsets;
-    std::vector<double> onsets;
+// The full band around each beat: a song may have a thin half and a thick one.
+std::vector<FullBand> full_bands(const SongStretches& beats) {
+    struct Bar {
+        double time = 0.0;
+        StretchSound sound;
+    };
+    std::vector<Bar> bars;
     for (std::size_t beat = 0; beat + beats.bar() < beats.size(); ++beat) {
-        if (!beats.has_sound(beat, beat + beats.bar())) {
+        if (beats.has_sound(beat, beat + beats.bar())) {
+            bars.push_back(
+                {static_cast<double>(beats.hop_of(beat)) / kHopsPerSecond, beats.after(beat)});
+        }
+    }
+    std::vector<FullBand> bands;
+    std::size_t first = 0;
+    std::size_t end = 0;
+    for (std::size_t beat = 0; beat < beats.size(); ++beat) {
+        if (beat % kBandBeats != 0) {
+            bands.push_back(bands.back());
             continue;
         }
-        const StretchSound bar = beats.after(beat);
-        low.push_back(static_cast<double>(bar.low));
-        level.push_back(static_cast<double>(bar.level));
-        low_onsets.push_back(static_cast<double>(bar.low_onsets));
-        onsets.push_back(static_cast<double>(bar.onsets));
+        const std::size_t middle = std::min(beats.size() - 1, beat + kBandBeats / 2);
+        const double time = static_cast<double>(beats.hop_of(middle)) / kHopsPerSecond;
+        while (first < bars.size() && bars[first].time < time - kAroundSeconds) {
+            ++first;
+        }
+        while (end < bars.size() && bars[end].time <= time + kAroundSeconds) {
+            ++end;
+        }
+        bands.push_back(FullBand::of([&](double share, float StretchSound::*part) {
+            std::vector<double> values;
+            for (std::size_t i = first; i < end; ++i) {
+                values.push_back(static_cast<double>(bars[i].sound.*part));
+            }
+            return static_cast<float>(percentile(values, share));
+        }));
     }
-    const auto high = [](const std::vector<double>& values) {
-        return static_cast<float>(percentile(values, kFull));
-    };
-    return {high(low), high(level), high(low_onsets), high(onsets), 0.0F};
+    return bands;
 }
 
 // Finds the parts of a song beat by beat.
 class SectionFinder {
  public:
     SectionFinder(const SongStretches& song, std::vector<char> downbeats)
-        : song_(song), bar_(song.bar()), downbeats_(std::move(downbeats)), full_(full_band(song)) {}
+        : song_(song),
+          bar_(song.bar()),
+          downbeats_(std::move(downbeats)),
+          full_(full_bands(song)) {}
 
     [[nodiscard]] std::vector<SongBreakdown> find() const {
         std::vector<SongBreakdown> breakdowns;
-        for (std::size_t beat = 0; beat + 1 < song_.size();) {
+        const std::vector<char> calm = calm_beats();
+        for (std::size_t beat = 0; beat < calm.size();) {
             std::size_t end = beat;
-            while (end + 1 < song_.size() && is_fallen(end)) {
+            while (end < calm.size() && calm[end] != 0) {
                 ++end;
             }
-            if (end - beat < kLeastBeats) {
-                beat = end + 1;
+            if (end == beat) {
+                ++beat;
                 continue;
             }
-            // A song may begin calm; a pickup is nothing yet.
-            if (beat == 0 && end < kRisingBeats) {
-                beat = end + 1;
-                continue;
+            const auto found = breakdown_in(beat, end);
+            if (found) {
+                breakdowns.push_back(breakdown_of(found->first, found->second));
             }
-            const std::size_t first = beat == 0 ? 0 : place_of_fall(beat);
-            if (first > 0 && step_at(first) < kLeastStepDown) {
-                beat = end + 1;  // it fades
-                continue;
-            }
-            const std::size_t back = place_of_return(std::max(first + kLeastBeats / 2, end));
-            if (!fades(first, back)) {
-                breakdowns.push_back(breakdown_of(first, back));
-            }
-            beat = std::max(back, end) + 1;
+            beat = std::max(end, found ? found->second : 0);
         }
         return breakdowns;
     }
 
  private:
-    [[nodiscard]] bool is_fallen(std::size_t beat) const {
+    // Beats from the fall to the return.
+    using Beats = std::pair<std::size_t, std::size_t>;
+
+    // Of a stretch of calm beats: where the rhythm section leaves and is back, if it does.
+    [[nodiscard]] std::optional<Beats> breakdown_in(std::size_t from, std::size_t to) const {
+        // A song may begin calm; a pickup is nothing yet.
+        const bool begins_it = !song_.has_sound(0, from - std::min(from, bar_));
+        if (begins_it && to < kRisingBeats) {
+            return std::nullopt;
+        }
+        const std::size_t first = begins_it ? 0 : place_of_fall(from);
+        const std::size_t last = to + 1 < song_.size() ? place_of_rise(to) : song_.size() - 1;
+        const bool has_steps = (first == 0 || step_at(first) >= kLeastStep) &&
+                               (last >= first + 2 * bar_ || -step_at(last) >= kLeastStep);
+        if (last < first + kLeastBeats || !has_steps ||
+            calmness(song_.mean(first, last), full_[first]) < kLeastCalm) {
+            return std::nullopt;
+        }
+        if (first == 0 && last + 1 < song_.size()) {
+            // What grows has no return.
+            return has_come_in(last) ? std::optional<Beats>({first, last}) : std::nullopt;
+        }
+        const std::size_t back = place_of_return(first, last);
+        return Beats{first, back};
+    }
+
+    // Whether the band of a song that began calm comes in at a beat.
+    [[nodiscard]] bool has_come_in(std::size_t beat) const {
+        return comes_in(song_.mean(beat - std::min(beat, 2 * bar_), beat),
+                        song_.mean(beat, std::min(song_.size() - 1, beat + 2)));
+    }
+
+    // Calmness of the bar around a beat.
+    [[nodiscard]] float calmness_at(std::size_t beat) const {
         const std::size_t from = beat - std::min(beat, bar_ / 2);
         const std::size_t to = std::min(song_.size() - 1, beat + bar_ / 2);
-        return song_.has_sound(from, to) && fall_of(song_.mean(from, to), full_).is_breakdown();
+        return song_.is_quiet(from, to) ? 0.0F : calmness(song_.mean(from, to), full_[beat]);
+    }
+
+    // By beat, whether the rhythm section is gone: the likeliest path of the two, where each change
+    // costs (Viterbi).
+    [[nodiscard]] std::vector<char> calm_beats() const {
+        const std::size_t count = song_.size() - 1;
+        std::array<float, 2> score{};
+        std::vector<std::array<char, 2>> from(count);
+        for (std::size_t beat = 0; beat < count; ++beat) {
+            const float gain = 0.5F * std::clamp(calmness_at(beat), -kMostOfABeat, kMostOfABeat);
+            const std::array<float, 2> before = score;
+            for (std::size_t state = 0; state < 2; ++state) {
+                const bool changes = before[1 - state] - 0.5F * kChange > before[state];
+                from[beat][state] = static_cast<char>(changes ? 1 - state : state);
+                score[state] = (changes ? before[1 - state] - 0.5F * kChange : before[state]) +
+                               (state == 1 ? gain : -gain);
+            }
+        }
+        std::vector<char> calm(count);
+        auto state = static_cast<std::size_t>(score[1] > score[0]);
+        for (std::size_t beat = count; beat-- > 0;) {
+            calm[beat] = static_cast<char>(state);
+            state = static_cast<std::size_t>(from[beat][state]);
+        }
+        return calm;
     }
 
     // Whether the whole band plays between two beats, without a roll.
     [[nodiscard]] bool is_full(std::size_t from, std::size_t to) const {
         const StretchSound now = song_.mean(from, to);
-        return song_.sounding_share(from, to) > 0.9 && fall_of(now, full_).is_full() &&
-               now.onsets < kMostOnsets * full_.onsets + 0.05F &&
-               now.low_onsets < kMostLowOnsets * full_.low_onsets + 0.05F;
+        const FullBand& full = full_[from];
+        return song_.sounding_share(from, to) > 0.9 && calmness(now, full) < kFullBelow &&
+               now.onsets < kMostOnsets * full.usual.onsets + 0.05F &&
+               now.low_onsets < kMostLowOnsets * full.usual.low_onsets + 0.05F;
     }
 
-    // Whether the song becomes softer from a beat on until it is over.
-    [[nodiscard]] bool fades(std::size_t first, std::size_t back) const {
-        if (back + 1 < song_.size() || first + 2 * bar_ >= song_.size()) {
-            return false;
-        }
-        std::size_t end = back;
-        while (end > first + bar_ && song_.is_quiet(end - 1, end)) {
-            --end;
-        }
-        return song_.before(end).level < song_.after(first).level - 5.0F;
-    }
-
+    // How much calmer the bar after a beat is than the bar before it.
     [[nodiscard]] float step_at(std::size_t beat) const {
-        return step_down(song_.before(beat), song_.after(beat), full_);
+        return calmness(song_.after(beat), full_[beat]) - calmness(song_.before(beat), full_[beat]);
     }
 
     // The beat within a bar of `border` at which the sound falls most; rather on a downbeat.
     [[nodiscard]] std::size_t place_of_fall(std::size_t border) const {
+        return steepest(border, 1.0F);
+    }
+    [[nodiscard]] std::size_t place_of_rise(std::size_t border) const {
+        return steepest(border, -1.0F);
+    }
+    [[nodiscard]] std::size_t steepest(std::size_t border, float sign) const {
         const std::size_t first = std::max<std::size_t>(1, border - std::min(border, bar_));
         const std::size_t last = std::min(song_.size() - 2, border + bar_);
         std::size_t best = border;
         float greatest = -1e9F;
         for (std::size_t beat = first; beat <= last; ++beat) {
-            const float step = step_at(beat) * (downbeats_[beat] != 0 ? kDownbeat : 1.0F);
+            const float step = sign * step_at(beat) * (downbeats_[beat] != 0 ? kDownbeat : 1.0F);
             if (step > greatest) {
                 greatest = step;
                 best = beat;
@@ -221,11 +294,13 @@ class SectionFinder {
                is_full(beat + bar_ / 2, std::min(last, beat + bar_ + bar_ / 2));
     }
 
-    // The first beat from `from` on at which the band is back; the end: there is none. A build-up
-    // may sound full before its end: what comes out of a stop soon after is the return.
-    [[nodiscard]] std::size_t place_of_return(std::size_t from) const {
+    // The beat at which the band is back, near where it is no longer calm; the end: there is none.
+    // A build-up may sound full before its end: a roll is not the return, and what comes out of a
+    // stop soon after is.
+    [[nodiscard]] std::size_t place_of_return(std::size_t first, std::size_t risen) const {
         const std::size_t last = song_.size() - 1;
-        for (std::size_t beat = from; beat < last; ++beat) {
+        const std::size_t from = std::max(first + 2, risen - std::min<std::size_t>(risen, 1));
+        for (std::size_t beat = from; beat < std::min(last, risen + kPhraseBeats); ++beat) {
             if (!is_back(beat)) {
                 continue;
             }
@@ -237,9 +312,9 @@ class SectionFinder {
                     return at;
                 }
             }
-            return steepest_near(beat);
+            return beat <= risen + 1 ? risen : steepest_near(beat);
         }
-        return last;
+        return risen;
     }
 
     // Within two beats: rather out of a stop, or on a downbeat.
@@ -272,7 +347,8 @@ class SectionFinder {
         found.first = song_.hop_of(first);
         found.build_up = found.end = song_.hop_of(back);
         found.drops = back + 1 < song_.size();
-        if (found.drops && back - first >= kRisingBeats) {
+        // A song that begins calm grows: that is no build-up.
+        if (found.drops && first > 0 && back - first >= kRisingBeats) {
             if (const auto knee = knee_of(first, back)) {
                 found.build_up = song_.hop_of(*knee);
             }
@@ -289,17 +365,19 @@ class SectionFinder {
                 end = std::max(first + 1, beat - std::min<std::size_t>(beat, 1));
             }
         }
+        const FullBand& full = full_[first];
         std::vector<StretchSound> beats;
         for (std::size_t beat = first; beat < end; ++beat) {
             beats.push_back(song_.mean(beat, beat + 1));
         }
         std::optional<std::size_t> best;
-        double least = kMuchBetter * misfit(beats, beats.size());
+        double least = kMuchBetter * misfit(beats, beats.size(), full.usual);
         for (std::size_t knee = kLeastBeats / 2; knee + bar_ <= beats.size(); ++knee) {
             const StretchSound begin = song_.mean(first + knee, first + knee + 2);
             const StretchSound last = song_.mean(end - 2, end);
-            const double error = misfit(beats, knee) - (downbeats_[first + knee] != 0 ? 0.3 : 0.0);
-            if (error < least && rise_of(begin, last, full_) > kBuildUpRise) {
+            const double error =
+                misfit(beats, knee, full.usual) - (downbeats_[first + knee] != 0 ? 0.3 : 0.0);
+            if (error < least && rise_of(begin, last, full.usual) > kBuildUpRise) {
                 least = error;
                 best = first + knee;
             }
@@ -308,17 +386,19 @@ class SectionFinder {
     }
 
     // Sum of squares of what is left of the beats: a mean before the knee, a line from it on.
-    [[nodiscard]] double misfit(const std::vector<StretchSound>& beats, std::size_t knee) const {
+    [[nodiscard]] static double misfit(const std::vector<StretchSound>& beats,
+                                       std::size_t knee,
+                                       const StretchSound& full) {
         const auto value = [&](std::size_t i, int part) {
             switch (part) {
                 case 0:
-                    return static_cast<double>(std::max(beats[i].level, full_.level - 40.0F)) / 6.0;
+                    return static_cast<double>(std::max(beats[i].level, full.level - 40.0F)) / 6.0;
                 case 1:
-                    return static_cast<double>(std::max(beats[i].low, full_.low - 40.0F)) / 8.0;
+                    return static_cast<double>(std::max(beats[i].low, full.low - 40.0F)) / 8.0;
                 case 2:
                     return static_cast<double>(beats[i].brightness) / 20.0;
                 default:
-                    return static_cast<double>(beats[i].onsets / (full_.onsets + 1e-3F));
+                    return static_cast<double>(beats[i].onsets / (full.onsets + 1e-3F));
             }
         };
         double error = 0.0;
@@ -351,7 +431,7 @@ class SectionFinder {
     const SongStretches& song_;
     std::size_t bar_;
     std::vector<char> downbeats_;  // by beat
-    StretchSound full_;
+    std::vector<FullBand> full_;   // by beat
 };
 
 }  // namespace

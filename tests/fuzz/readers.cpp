@@ -34,6 +34,7 @@ std::span<const Reader> readers() {
         {"cells", read_cells, {}, 100, Content::bytes},
         {"index", read_index, {}, 2000},
         {"beat_list", read_beat_list, {}, 2000},
+        {"event_list", read_event_list, {}, 2000},
         {"playlist", read_playlist, {}, 2000},
         {"bvh", read_clip, {"tests/data/bvh/odd/plain.bvh", "tests/data/bvh/odd/names.bvh"}, 60},
         {"acclaim", read_acclaim, {}, 300},

@@ -55,6 +55,7 @@ bool read_take_beats(std::string_view text);    ///< of takes
 bool read_cells(std::string_view changes);      ///< of a dance of cells; solves and dances it
 bool read_index(std::string_view text);         ///< of a beat corpus
 bool read_beat_list(std::string_view text);     ///< annotated beats
+bool read_event_list(std::string_view text);    ///< annotated events of songs
 bool read_playlist(std::string_view text);      ///< in all forms
 bool read_clip(std::string_view text);          ///< BVH; draws it, retargets it and learns from it
 bool read_acclaim(std::string_view text);       ///< .asf, a line "%%", .amc

@@ -1,5 +1,6 @@
 // What is done with texts in tables, lists of beats and playlists.
 #include "audio/evaluate/beat_corpus.hpp"
+#include "audio/evaluate/event_corpus.hpp"
 #include "engine/setup/dance_corrections.hpp"
 #include "engine/setup/list_forms.hpp"
 #include "motion/figures/label_tables.hpp"
@@ -40,6 +41,17 @@ bool read_beat_list(std::string_view text) {
     // What was read can be written and read again.
     must(!beats || audio::parse_beats(audio::beats_text(*beats), "y.beats"));
     return beats.has_value();
+}
+
+bool read_event_list(std::string_view text) {
+    const auto events = audio::parse_events(text, "x.events");
+    if (!events) {
+        must_be_one_line(events.error().message);
+        return false;
+    }
+    const auto again = audio::parse_events(audio::events_text(*events), "y.events");
+    must(again && again->size() == events->size());
+    return true;
 }
 
 bool read_playlist(std::string_view text) {

@@ -67,6 +67,8 @@ class Arranger {
                 });
             case SectionKind::breakdown:
                 return play_breakdown(section);
+            case SectionKind::riff:
+                return play_riff(section);
             case SectionKind::build_up:
                 return play_build_up(section);
             case SectionKind::drop:
@@ -138,6 +140,15 @@ class Arranger {
                     notes_.push_back(note);
                 }
             } else if (is_pitched(note.sound)) {
+                notes_.push_back(note);
+            }
+        });
+    }
+
+    // What has a pitch, but no bass.
+    void play_riff(const SectionSpan& section) {
+        each_in(section, [&](const Note& note) {
+            if (is_pitched(note.sound) && !is_bass(note.sound)) {
                 notes_.push_back(note);
             }
         });

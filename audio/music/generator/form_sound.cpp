@@ -9,6 +9,7 @@ namespace {
 constexpr double kGlideSeconds = 0.004;    // between two levels: a jump would click
 constexpr std::int64_t kFilterSteps = 16;  // frames between changes of the low-pass
 constexpr double kButterworth = 0.7071;
+constexpr double kRiffGain = 2.5;  // about what drums and bass leave room for
 
 }  // namespace
 
@@ -31,6 +32,9 @@ FormSound::FormSound(std::span<const SectionSpan> form, const TempoCurve& curve,
             case SectionKind::filtered:
                 stretch.gain_from = stretch.gain_to = 0.25;
                 stretch.hertz_from = stretch.hertz_to = 300.0;
+                break;
+            case SectionKind::riff:
+                stretch.gain_from = stretch.gain_to = kRiffGain;
                 break;
             case SectionKind::build_up:
                 stretch.gain_from = 0.4;

@@ -14,7 +14,7 @@ constexpr int kMostBeats = 10'000;  // of a section
 constexpr int kPhrase = 8;          // bars
 
 // In the order of SectionKind.
-constexpr std::array<std::string_view, 11> kSectionNames{"intro",
+constexpr std::array<std::string_view, 12> kSectionNames{"intro",
                                                          "verse",
                                                          "full",
                                                          "breakdown",
@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 11> kSectionNames{"intro",
                                                          "stop",
                                                          "hit-stop",
                                                          "ending",
-                                                         "fade-out"};
+                                                         "fade-out",
+                                                         "riff"};
 
 // "full:32" as a section.
 Expected<FormSection> parse_section(std::string_view text) {
@@ -134,6 +135,7 @@ MusicPart part_of(SectionKind kind) noexcept {
     switch (kind) {
         case SectionKind::breakdown:
         case SectionKind::filtered:
+        case SectionKind::riff:
             return MusicPart::breakdown;
         case SectionKind::build_up:
             return MusicPart::build_up;

@@ -26,6 +26,7 @@ enum class SectionKind : std::uint8_t {
     hit_stop,   ///< one short chord on its first beat, then nothing
     ending,     ///< the last chord on its first beat, which rings out
     fade_out,   ///< the whole band, whose level falls to nothing
+    riff,  ///< a breakdown without a fall in level: drums and bass leave, the others play louder
 };
 /// Names in the order of SectionKind: "intro", "build-up", "hit-stop" and so on.
 [[nodiscard]] std::span<const std::string_view> section_names() noexcept;

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -105,6 +107,72 @@ TEST(Form, a_drop_after_a_breakdown_is_known_within_a_beat) {
         ASSERT_NE(drop, nullptr) << name_of(style);
         EXPECT_LE(to_seconds(drop->time) - 64 * beat, beat) << name_of(style);
         EXPECT_EQ(states.back().part, MusicPart::playing) << name_of(style);
+    }
+}
+
+TEST(Form, drums_that_leave_while_the_level_stays_are_a_breakdown) {
+    for (const Style style : {Style::four_on_the_floor, Style::backbeat}) {
+        const double beat = usual_tempo(style).seconds_per_beat();
+        const GeneratedMusic piece = song(style, "full:64,riff:16,drop:32,ending:4", 116 * beat);
+        const SongPlan plan = known(piece);
+        EXPECT_NE(told(plan.states, Kind::breakdown, 64 * beat, beat), nullptr) << name_of(style);
+        EXPECT_NE(told(plan.states, Kind::drop, 80 * beat, beat), nullptr) << name_of(style);
+        EXPECT_EQ(events_in(plan.states).size(), 4U) << name_of(style);
+        const auto states = test::listen(piece);
+        const MusicState* const breakdown = told(states, Kind::breakdown, 64 * beat, beat);
+        ASSERT_NE(breakdown, nullptr) << name_of(style);
+        EXPECT_LE(to_seconds(breakdown->time) - 64 * beat, 1.5) << name_of(style);
+        EXPECT_NE(told(states, Kind::drop, 80 * beat, beat), nullptr) << name_of(style);
+    }
+}
+
+TEST(Form, of_a_known_song_stops_in_a_row_are_all_told) {
+    const Style style = Style::backbeat;
+    const double beat = usual_tempo(style).seconds_per_beat();
+    const std::string stops = "stop:2,full:2,stop:2,full:2,stop:2,full:2,stop:2,";
+    const SongPlan plan = known(song(style, "full:32," + stops + "full:32,ending:4", 82 * beat));
+    for (const int at : {32, 36, 40, 44}) {
+        EXPECT_NE(told(plan.states, Kind::stop, at * beat, 0.1), nullptr) << at;
+        EXPECT_NE(told(plan.states, Kind::entry, (at + 2) * beat, 0.1), nullptr) << at;
+    }
+}
+
+TEST(Form, the_last_chord_is_the_end_and_a_fade_is_no_breakdown) {
+    const Style style = Style::backbeat;
+    const double beat = usual_tempo(style).seconds_per_beat();
+    GeneratedMusic rings = song(style, "full:48,ending:16", 64 * beat);
+    GeneratedMusic fades = song(style, "full:48,fade-out:24", 72 * beat);
+    for (GeneratedMusic* piece : {&rings, &fades}) {
+        piece->samples.resize(piece->samples.size() + 4 * 48'000);
+    }
+    for (const auto& states : {known(rings).states, test::listen(rings)}) {
+        EXPECT_NE(told(states, Kind::end, 48 * beat, 0.1), nullptr);
+    }
+    EXPECT_EQ(events_in(known(rings).states).size(), 2U);
+    for (const auto& states : {known(fades).states, test::listen(fades)}) {
+        EXPECT_NE(told(states, Kind::end, 72 * beat, 2.5), nullptr);
+        EXPECT_EQ(told(states, Kind::breakdown, 60 * beat, 14 * beat), nullptr);
+    }
+}
+
+TEST(Form, noise_a_steady_tone_and_clicks_do_nothing_but_begin_and_end) {
+    for (const int kind : {0, 1, 2}) {
+        GeneratedMusic piece;
+        piece.channels = 1;
+        std::uint32_t random = 1;
+        for (std::size_t i = 0; i < 30 * 48'000; ++i) {
+            random = random * 1'664'525U + 1'013'904'223U;
+            const float noise = static_cast<float>(random >> 8U) / 8'388'608.0F - 1.0F;
+            const float tone = std::sin(0.05F * static_cast<float>(i % 48'000));
+            const float click = i % 24'000 < 96 ? noise : 0.0F;
+            piece.samples.push_back(0.2F * (kind == 0 ? noise : kind == 1 ? tone : click));
+        }
+        for (const auto& states : {known(piece).states, test::listen(piece)}) {
+            for (const MusicState& state : events_in(states)) {
+                EXPECT_TRUE(state.event.kind == Kind::entry || state.event.kind == Kind::end)
+                    << kind << ' ' << music_event_name(state.event.kind) << ' ' << state.hop;
+            }
+        }
     }
 }
 

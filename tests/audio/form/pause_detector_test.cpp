@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -46,6 +47,33 @@ TEST(PauseDetector, a_cut_is_known_within_120_ms_and_an_entry_within_20) {
     EXPECT_EQ(told[2].kind, MusicEvent::Kind::entry);
     EXPECT_EQ(told[2].at, 1'200);
     EXPECT_LE(told[2].told - told[2].at, 2);
+}
+
+TEST(PauseDetector, a_stop_with_hiss_30_db_under_the_band_is_known_within_300_ms) {
+    // The band damps its strings within 60 ms; hiss goes on at -50 dBFS.
+    const auto told = events_of(1'400, [](HopIndex hop) {
+        const float damped = -20.0F - 5.0F * static_cast<float>(hop - 1'000);
+        return hop >= 1'000 && hop < 1'200 ? std::max(damped, -50.0F) : playing(hop);
+    });
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[1].kind, MusicEvent::Kind::stop);
+    EXPECT_NEAR(static_cast<double>(told[1].at), 1'005.0, 2.0);
+    EXPECT_LE(told[1].told - 1'000, 32);
+    EXPECT_EQ(told[2].kind, MusicEvent::Kind::entry);
+    EXPECT_EQ(told[2].at, 1'200);
+}
+
+TEST(PauseDetector, three_stops_in_a_row_are_three_stops) {
+    // After 20 s half a second of silence and three quarters of sound in turn.
+    const auto told = events_of(2'400, [](HopIndex hop) {
+        const HopIndex since = hop - 2'000;
+        return since >= 0 && since < 375 && since % 125 < 50 ? -80.0F : playing(hop);
+    });
+    int stops = 0;
+    for (const Told& event : told) {
+        stops += event.kind == MusicEvent::Kind::stop ? 1 : 0;
+    }
+    EXPECT_EQ(stops, 3);
 }
 
 TEST(PauseDetector, what_fades_away_is_a_stop_when_it_is_gone) {
