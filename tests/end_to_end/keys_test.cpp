@@ -21,6 +21,11 @@ std::string codecs_of(const std::string& film) {
         {"ffprobe", "-v", "error", "-show_entries", "stream=codec_name", "-of", "csv=p=0", film});
 }
 
+std::array<int, 3> corner(const std::string& picture) {
+    const auto byte = [&](std::size_t at) { return int{static_cast<unsigned char>(picture[at])}; };
+    return {byte(0), byte(1), byte(2)};
+}
+
 /// Plays in a window, paused: what a key changes is all that changes. (Pictures are compared by
 /// EXPECT_TRUE: nobody wants to read them.)
 class Keys : public WindowTest {
@@ -60,6 +65,9 @@ class Keys : public WindowTest {
     }
     static bool shows_other_than(const std::string& picture) {
         return shows([&](const std::string& now) { return difference(now, picture) > 0.05; });
+    }
+    static bool shows_corner(const std::array<int, 3>& colour) {
+        return shows([&](const std::string& now) { return corner(now) == colour; });
     }
     /// Presses, and what the lower part is then; it must have changed.
     static std::string changed_by(const std::string& key, const std::string& before) {
@@ -120,20 +128,15 @@ TEST_F(Keys, s_draws_the_stick_figure_and_the_avatar_again) {
     EXPECT_TRUE(shows_again(avatar));
 }
 
-std::array<int, 3> corner(const std::string& picture) {
-    const auto byte = [&](std::size_t at) { return int{static_cast<unsigned char>(picture[at])}; };
-    return {byte(0), byte(1), byte(2)};
-}
-
 // No compositor runs: what is transparent is black, and that is said.
 TEST_F(Keys, x_goes_from_the_stage_to_nothing_to_a_key_colour_and_back) {
     const std::string stage = start_and_pause("--no-overlay");
     press({"x"});
     EXPECT_TRUE(raks_->wait_for_output("transparent, but no compositor runs: black is seen"));
-    EXPECT_EQ(corner(still_picture()), (std::array{0, 0, 0}));
+    EXPECT_TRUE(shows_corner({0, 0, 0}));
     press({"x"});
     EXPECT_TRUE(raks_->wait_for_output("backdrop: key colour #00ff00"));
-    EXPECT_EQ(corner(still_picture()), (std::array{0, 255, 0}));
+    EXPECT_TRUE(shows_corner({0, 255, 0}));
     press({"x"});
     EXPECT_TRUE(raks_->wait_for_output("backdrop: stage"));
     EXPECT_TRUE(shows_again(stage));
