@@ -124,16 +124,18 @@ std::string to_json(const MusicReport& report) {
     document["version"] = 1;
     document["minutes"] = report.minutes;
     for (const auto& [way, scores] : ways_of(report)) {
-        each_kind(*scores, [&](std::string_view kind, const audio::EventScore& score) {
-            document[way][std::string(kind)] = {
-                {"wanted", score.wanted},
-                {"found", score.found},
-                {"right", score.precision()},
-                {"false_a_minute", static_cast<double>(score.false_ones) / report.minutes},
-                {"offset_median_s", percentile(score.offsets, 0.5)},
-                {"delay_median_s", percentile(score.delays, 0.5)},
-                {"delay_p95_s", percentile(score.delays, 0.95)}};
-        });
+        Json& kinds = document[way];
+        each_kind(
+            *scores, [&kinds, &report](std::string_view kind, const audio::EventScore& score) {
+                kinds[std::string(kind)] = {
+                    {"wanted", score.wanted},
+                    {"found", score.found},
+                    {"right", score.precision()},
+                    {"false_a_minute", static_cast<double>(score.false_ones) / report.minutes},
+                    {"offset_median_s", percentile(score.offsets, 0.5)},
+                    {"delay_median_s", percentile(score.delays, 0.5)},
+                    {"delay_p95_s", percentile(score.delays, 0.95)}};
+            });
     }
     each_style(report, [&](std::string_view style, const audio::RepeatScore& score) {
         document["repeats"][std::string(style)] = {{"wanted", score.wanted},

@@ -152,7 +152,7 @@ MusicEvent SectionTracker::listen(HopIndex hop, const BeatLengths& lengths, bool
         return {};
     }
     // Nor do the beats tell that hold a stop.
-    const bool is_after_stop = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat;
+    const bool is_after_stop = went_on_ >= 0 && hop - went_on_ < HopIndex{2} * lengths.beat;
     if (++fallen_hops_ < kBreakdownHops || is_gap || is_after_stop) {
         return {};
     }
@@ -182,7 +182,7 @@ bool SectionTracker::is_drop(HopIndex hop, const BeatLengths& lengths) const noe
     if (calmness(now, full_) > kFullBelow) {
         return false;
     }
-    if (went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat) {
+    if (went_on_ >= 0 && hop - went_on_ < HopIndex{2} * lengths.beat) {
         return true;
     }
     // Of the breakdown alone, which may be short.
@@ -201,13 +201,13 @@ HopIndex SectionTracker::place_of_rise(HopIndex hop, const BeatLengths& lengths)
     const double phrases = static_cast<double>(calm_hop_ - fell_) / lengths.phrase;
     const auto end = fell_ + static_cast<HopIndex>(std::round(phrases) * lengths.phrase);
     const HopIndex apart = end > calm_hop_ ? end - calm_hop_ : calm_hop_ - end;
-    return phrases > 0.5 && apart < 5 * lengths.beat && end < hop ? end : calm_hop_;
+    return phrases > 0.5 && apart < HopIndex{5} * lengths.beat && end < hop ? end : calm_hop_;
 }
 
 // One hop while the rhythm section is gone: has a drop come?
 MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexcept {
     if (is_drop(hop, lengths)) {
-        const HopIndex at = went_on_ >= 0 && hop - went_on_ < 2 * lengths.beat
+        const HopIndex at = went_on_ >= 0 && hop - went_on_ < HopIndex{2} * lengths.beat
                                 ? went_on_
                                 : place_of_drop(hop, lengths);
         enter(MusicPart::playing, hop);
@@ -244,7 +244,7 @@ MusicEvent SectionTracker::wait(HopIndex hop, const BeatLengths& lengths) noexce
     const float rise = part_ == MusicPart::breakdown && sums_.size() > 6 * beat ? risen(0) : 0.0F;
     if (rise > kLeastBuildUpRise && risen(2) > 0.55F * rise && risen(4) > 0.15F * rise) {
         const HopIndex from = place_of_rise(hop, lengths);
-        if (hop - from <= kBuildUpHops && from - fell_ >= kCalmBars * lengths.bar) {
+        if (hop - from <= kBuildUpHops && from - fell_ >= HopIndex{kCalmBars} * lengths.bar) {
             part_ = MusicPart::build_up;
             full_hops_ = 0;
             return {MusicEvent::Kind::build_up, time_of_hop(from)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raks::audio {
 namespace {
@@ -45,48 +46,76 @@ std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
     return quiet;
 }
 
-// By hop: whether it is quiet.
-std::vector<char> quiet_hops(std::span<const HopSound> sounds) {
-    const std::vector<float> levels = quiet_levels(sounds);
-    std::vector<char> quiet(sounds.size());
-    double played = -120.0;    // dBFS, mean of the half second before the newest hop that sounds
-    std::size_t sounding = 0;  // hops in a row
-    bool is_damped = false;
-    std::size_t begin = 0;  // of the present quiet
-    float deepest = 0.0F;   // dBFS in it
-    for (std::size_t i = 0; i < sounds.size(); ++i) {
-        const float level = sounds[i].level;
-        const bool is_low = static_cast<double>(level) < played - static_cast<double>(kDampedUnder);
-        if (!is_damped && is_low && sounding >= kPlayedHops) {
-            for (std::size_t ago = 1; ago <= kDampedHops; ++ago) {
-                is_damped = is_damped || static_cast<double>(sounds[i - ago].level) >
-                                             played - static_cast<double>(kNearPlayed);
-            }
-        }
-        is_damped = is_damped && is_low;
-        quiet[i] = static_cast<char>(level < levels[i / kBlock] || is_damped);
-        if (quiet[i] != 0) {
-            begin = sounding > 0 ? i : begin;
-            deepest = sounding > 0 ? level : std::min(deepest, level);
-        } else if (sounding == 0 &&
-                   static_cast<double>(deepest) > played - static_cast<double>(kDeepUnder)) {
-            // It was a gap in softer music.
-            for (std::size_t at = begin; at < i; ++at) {
-                quiet[at] = static_cast<char>(sounds[at].level < levels[at / kBlock]);
-            }
-        }
-        sounding = quiet[i] != 0 ? 0 : sounding + 1;
-        if (quiet[i] == 0) {
-            const double share = sounding == 1 ? 1.0 : 1.0 / static_cast<double>(kPlayedHops);
-            played += share * (static_cast<double>(level) - played);
+// Whether one of the hops before `hop` was about as loud as what was played.
+bool was_near(std::span<const HopSound> sounds, std::size_t hop, double played) {
+    const auto before = sounds.subspan(hop - kDampedHops, kDampedHops);
+    return std::any_of(before.begin(), before.end(), [played](const HopSound& sound) {
+        return static_cast<double>(sound.level) > played - static_cast<double>(kNearPlayed);
+    });
+}
+
+// Finds the hops that are quiet, hop by hop.
+class QuietHops {
+ public:
+    explicit QuietHops(std::span<const HopSound> sounds)
+        : sounds_(sounds), levels_(quiet_levels(sounds)), quiet_(sounds.size()) {
+        for (std::size_t hop = 0; hop < sounds.size(); ++hop) {
+            add(hop);
         }
     }
-    return quiet;
-}
+    // By hop: whether it is quiet.
+    [[nodiscard]] std::vector<char> take() { return std::move(quiet_); }
+
+ private:
+    [[nodiscard]] bool is_under_level(std::size_t hop) const {
+        return sounds_[hop].level < levels_[hop / kBlock];
+    }
+
+    void add(std::size_t hop) {
+        const float level = sounds_[hop].level;
+        const bool is_low =
+            static_cast<double>(level) < played_ - static_cast<double>(kDampedUnder);
+        if (!is_damped_ && is_low && sounding_ >= kPlayedHops) {
+            is_damped_ = was_near(sounds_, hop, played_);
+        }
+        is_damped_ = is_damped_ && is_low;
+        quiet_[hop] = static_cast<char>(is_under_level(hop) || is_damped_);
+        if (quiet_[hop] != 0) {
+            begin_ = sounding_ > 0 ? hop : begin_;
+            deepest_ = sounding_ > 0 ? level : std::min(deepest_, level);
+            sounding_ = 0;
+        } else {
+            end_quiet(hop);
+            ++sounding_;
+            const double share = sounding_ == 1 ? 1.0 : 1.0 / static_cast<double>(kPlayedHops);
+            played_ += share * (static_cast<double>(level) - played_);
+        }
+    }
+
+    // The hop sounds. Where what was quiet before it was not deep, it was a gap in softer music.
+    void end_quiet(std::size_t hop) {
+        if (sounding_ > 0 ||
+            static_cast<double>(deepest_) <= played_ - static_cast<double>(kDeepUnder)) {
+            return;
+        }
+        for (std::size_t at = begin_; at < hop; ++at) {
+            quiet_[at] = static_cast<char>(is_under_level(at));
+        }
+    }
+
+    std::span<const HopSound> sounds_;
+    std::vector<float> levels_;
+    std::vector<char> quiet_;
+    double played_ = -120.0;    // dBFS, mean of the half second before the newest hop that sounds
+    std::size_t sounding_ = 0;  // hops in a row
+    bool is_damped_ = false;
+    std::size_t begin_ = 0;  // of the present quiet
+    float deepest_ = 0.0F;   // dBFS in it
+};
 
 // All gaps, short ones included.
 std::vector<SongPause> find_gaps(std::span<const HopSound> sounds) {
-    const std::vector<char> quiet = quiet_hops(sounds);
+    const std::vector<char> quiet = QuietHops(sounds).take();
     std::vector<SongPause> gaps;
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         if (quiet[i] == 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -231,13 +232,13 @@ class SectionFinder {
     [[nodiscard]] std::vector<char> calm_beats() const {
         const std::size_t count = song_.size() - 1;
         std::array<float, 2> score{};
-        std::vector<std::array<char, 2>> from(count);
+        std::vector<std::array<std::uint8_t, 2>> from(count);
         for (std::size_t beat = 0; beat < count; ++beat) {
             const float gain = 0.5F * std::clamp(calmness_at(beat), -kMostOfABeat, kMostOfABeat);
             const std::array<float, 2> before = score;
             for (std::size_t state = 0; state < 2; ++state) {
                 const bool changes = before[1 - state] - 0.5F * kChange > before[state];
-                from[beat][state] = static_cast<char>(changes ? 1 - state : state);
+                from[beat][state] = static_cast<std::uint8_t>(changes ? 1 - state : state);
                 score[state] = (changes ? before[1 - state] - 0.5F * kChange : before[state]) +
                                (state == 1 ? gain : -gain);
             }
@@ -246,7 +247,7 @@ class SectionFinder {
         auto state = static_cast<std::size_t>(score[1] > score[0]);
         for (std::size_t beat = count; beat-- > 0;) {
             calm[beat] = static_cast<char>(state);
-            state = static_cast<std::size_t>(from[beat][state]);
+            state = from[beat][state];
         }
         return calm;
     }

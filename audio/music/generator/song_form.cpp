@@ -163,6 +163,33 @@ Expected<std::vector<FormSection>> parse_form(std::string_view text) {
 
 std::vector<FormSection> draw_form(const FormDraw& draw) { return FormWriter(draw).write(); }
 
+namespace {
+
+// What begins with a section. `before`: the part before it; `was_calm`: a breakdown or build-up
+// since the whole band last played; `is_first`: nothing has happened yet.
+MusicEvent::Kind event_of(SectionKind section, MusicPart before, bool was_calm, bool is_first) {
+    using Kind = MusicEvent::Kind;
+    const MusicPart part = part_of(section);
+    if (section == SectionKind::ending) {
+        return Kind::end;
+    }
+    if (part == MusicPart::playing) {
+        return was_calm || section == SectionKind::drop ? Kind::drop
+               : before == MusicPart::stopped           ? Kind::entry
+                                                        : Kind::none;
+    }
+    if (part == before) {
+        return Kind::none;
+    }
+    if (part == MusicPart::stopped) {
+        return Kind::stop;
+    }
+    // Music that begins calm has begun; there is nothing that it breaks down from.
+    return is_first ? Kind::entry : part == MusicPart::breakdown ? Kind::breakdown : Kind::build_up;
+}
+
+}  // namespace
+
 std::vector<MusicEvent> events_of(std::span<const PlayedSection> sections) {
     using Kind = MusicEvent::Kind;
     std::vector<MusicEvent> events;
@@ -170,21 +197,9 @@ std::vector<MusicEvent> events_of(std::span<const PlayedSection> sections) {
     MusicPart before = MusicPart::stopped;
     for (const PlayedSection& section : sections) {
         const MusicPart part = part_of(section.kind);
-        Kind kind = Kind::none;
-        if (section.kind == SectionKind::ending) {
-            kind = Kind::end;
-        } else if (part == MusicPart::playing) {
-            const bool comes_in = was_calm || section.kind == SectionKind::drop;
-            kind =
-                comes_in ? Kind::drop : (before == MusicPart::stopped ? Kind::entry : Kind::none);
-            was_calm = false;
-        } else if (part == MusicPart::stopped) {
-            kind = before == MusicPart::stopped ? Kind::none : Kind::stop;
-        } else {
-            // Music that begins calm has begun; there is nothing that it breaks down from.
-            const Kind change = part == MusicPart::breakdown ? Kind::breakdown : Kind::build_up;
-            kind = events.empty() ? Kind::entry : (part == before ? Kind::none : change);
-            was_calm = true;
+        const Kind kind = event_of(section.kind, before, was_calm, events.empty());
+        if (section.kind != SectionKind::ending && part != MusicPart::stopped) {
+            was_calm = part != MusicPart::playing;
         }
         if (kind != Kind::none) {
             events.push_back({kind, section.from});
