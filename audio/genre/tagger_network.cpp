@@ -1,13 +1,12 @@
 #include "audio/genre/tagger_network.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <cstring>
 
 #include "base/assert.hpp"
-#include "base/simd_clones.hpp"
+#include "base/simd_lanes.hpp"
 #include "models/dense_product.hpp"
+#include "models/fast_log.hpp"
 
 namespace raks::audio {
 namespace {
@@ -19,7 +18,6 @@ constexpr std::size_t kLead = 64;
 constexpr std::size_t kStride = 320;
 // Frames whose sums are made together: six registers of eight lanes, so that a weight is loaded
 // once for all of them and no sum waits for the one before.
-constexpr std::size_t kLanes = 8;
 constexpr std::size_t kVectors = 6;
 constexpr std::size_t kGroup = kVectors * kLanes;
 constexpr std::size_t kGroups = (kTagFrames + kGroup - 1) / kGroup;
@@ -33,18 +31,16 @@ constexpr std::size_t kThirdRow = kSecondRow + TaggerNetwork::kMiddle;
 constexpr std::size_t kRows = kThirdRow + TaggerNetwork::kMiddle;
 static_assert(2 * kRows == TaggerNetwork::kPooled);
 
-// Eight sums side by side. Every lane is added up by itself and in the same order, so the result
-// does not depend on how wide the machine's registers are.
-using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+// Sums side by side: every lane is added up by itself and in the same order.
 using Sums = std::array<float, kGroup>;
 
 // sums += over rows r and taps t of weights[r][t] x input[r stride + t + lane].
 template <std::size_t kTaps>
-[[gnu::always_inline]] inline void add_filter(const float* input,
-                                              std::size_t rows,
-                                              std::size_t stride,
-                                              const float* weights,
-                                              Sums& sums) noexcept {
+RAKS_LANES_INLINE void add_filter(const float* input,
+                                  std::size_t rows,
+                                  std::size_t stride,
+                                  const float* weights,
+                                  Sums& sums) noexcept {
     Lanes sum[kVectors];  // NOLINT: a std::array does not stay in registers
     std::memcpy(&sum, sums.data(), sizeof sum);
     for (std::size_t row = 0; row < rows; ++row) {
@@ -53,9 +49,7 @@ template <std::size_t kTaps>
             const float weight = weights[tap];
 #pragma GCC unroll 8
             for (std::size_t i = 0; i < kVectors; ++i) {
-                Lanes lanes;  // NOLINT: filled by the copy
-                std::memcpy(&lanes, input + tap + i * kLanes, sizeof lanes);
-                sum[i] += lanes * weight;
+                sum[i] += lanes_at(input + tap + i * kLanes) * weight;
             }
         }
         input += stride;
@@ -177,24 +171,11 @@ void clear_behind(float* rows, std::size_t count) noexcept {
     }
 }
 
-// log10(1 + 10000 x): the exponent by its bits, and the series of the area tangent of the rest.
+// log10(1 + 10000 x).
 RAKS_SIMD_CLONES void compress(float* __restrict values, std::size_t count) noexcept {
-    constexpr std::uint32_t kRootHalf = 0x3f35'04f3U;  // bits of sqrt(1/2)
-    constexpr float kLog10Of2 = 0.301029996F;
-    constexpr float kTwiceLog10OfE = 0.868588964F;
+    constexpr float kLog10OfE = 0.434294482F;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto bits = std::bit_cast<std::uint32_t>(1.0F + 10'000.0F * values[i]) - kRootHalf;
-        const float exponent = static_cast<float>(static_cast<std::int32_t>(bits) >> 23);
-        // In [sqrt(1/2), sqrt(2)).
-        const float mantissa = std::bit_cast<float>((bits & 0x007f'ffffU) + kRootHalf);
-        const float s = (mantissa - 1.0F) / (mantissa + 1.0F);
-        const float squared = s * s;
-        float series = 1.0F / 9.0F;
-        series = series * squared + 1.0F / 7.0F;
-        series = series * squared + 1.0F / 5.0F;
-        series = series * squared + 1.0F / 3.0F;
-        series = series * squared + 1.0F;
-        values[i] = exponent * kLog10Of2 + kTwiceLog10OfE * s * series;
+        values[i] = kLog10OfE * models::fast_log(1.0F + 10'000.0F * values[i]);
     }
 }
 

@@ -168,7 +168,7 @@ TEST(MusicTagger, the_bits_are_those_of_every_machine) {
     const auto words = words_of(buzzing(4 * kSecond));
     ASSERT_EQ(words.size(), 1U);
     const auto* const bytes = reinterpret_cast<const char*>(words[0].logits.data());
-    EXPECT_EQ(hash_of({bytes, sizeof words[0].logits}), 12198659114651071677U);
+    EXPECT_EQ(hash_of({bytes, sizeof words[0].logits}), 6567010850473204176U);
 }
 
 TaggerHop hop_of(std::span<const float> samples, HopIndex hop) {

@@ -45,7 +45,9 @@ std::vector<float> resampled(SampleRate from, const std::vector<float>& input, s
 }
 
 TEST(Resampler, keeps_the_time_of_a_sine_at_every_rate) {
-    for (const int hertz : {8'000, 11'025, 22'050, 32'000, 44'100, 48'000, 96'000, 192'000}) {
+    // 11,025, 37,800 and 44,099 Hz stand in no simple ratio to 32 kHz.
+    for (const int hertz :
+         {8'000, 11'025, 22'050, 32'000, 37'800, 44'099, 44'100, 48'000, 96'000, 192'000}) {
         const SampleRate from(hertz);
         const std::vector<float> out = resampled(from, sine(from, 440.0, 0.5), 0);
         const std::vector<float> expected = sine(kTo, 440.0, 0.5);
@@ -110,18 +112,6 @@ TEST(Resampler, passes_and_stops_what_libspeexdsp_does) {
             if (share * std::min(from, to) < from) {
                 EXPECT_LT(level(share, 1), -95.0) << from << " to " << to << " at " << share;
             }
-        }
-    }
-}
-
-TEST(Resampler, odd_rates_keep_their_time_as_well) {
-    for (const int hertz : {11'025, 37'800, 44'099}) {
-        const SampleRate from(hertz);
-        const std::vector<float> out = resampled(from, sine(from, 440.0, 0.5), 0);
-        const std::vector<float> expected = sine(kTo, 440.0, 0.5);
-        ASSERT_GT(out.size(), 14'000U) << hertz;
-        for (std::size_t i = 2'000; i < 14'000; ++i) {
-            ASSERT_NEAR(out[i], expected[i], 2e-3) << hertz << " sample " << i;
         }
     }
 }
