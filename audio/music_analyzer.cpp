@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "audio/beat/beat_detector.hpp"
 #include "audio/beat/beat_tracker.hpp"
+#include "audio/beat/evidence_fusion.hpp"
 #include "audio/beat/paper_beat.hpp"
 #include "audio/features/loudness.hpp"
 #include "audio/features/mfcc.hpp"
@@ -27,7 +27,8 @@ namespace raks::audio {
 namespace {
 
 constexpr SampleRate kRhythmRate(OnsetDetector::kSampleRate);  // 32 kHz
-constexpr std::size_t kChunk = 256;                            // input samples worked on at a time
+constexpr std::size_t kWindow = OnsetDetector::kWindow;
+constexpr std::size_t kChunk = 256;      // input samples worked on at a time
 constexpr double kPassBand = 0.9;        // of the source's band that the resampler passes
 constexpr float kLoudest = 16.0F;        // samples beyond are clamped: 24 dB over full scale
 constexpr float kLowestLevel = -120.0F;  // dBFS of digital silence
@@ -90,8 +91,7 @@ struct MusicAnalyzer::State {
     PaperTracker paper;
     BeatMethod beat_method = BeatMethod::pointer;
     NetworkInput network_input;
-    std::optional<BeatDetector> beat_detector;
-    int lookahead = 0;  // hops by which the network's evidence is late
+    std::optional<EvidenceFusion> evidence;  // none: no network
     FormTracker form;
     MfccHops mfcc_hops;
     CepstralMean cepstral_mean;
@@ -141,8 +141,8 @@ void MusicAnalyzer::State::reset() noexcept RAKS_NONBLOCKING {
     tracker.reset();
     paper.reset();
     network_input.reset();
-    if (beat_detector) {
-        beat_detector->reset();
+    if (evidence) {
+        evidence->reset();
     }
     form.reset();
     mfcc_hops.reset();
@@ -230,10 +230,13 @@ void MusicAnalyzer::State::track(const Onset& onset, MusicState& state) noexcept
     tracked.onset_strength = onset.strength;
     tracked.quiet_hops = quiet_hops;
     tracked.is_silent = state.is_silent;
-    if (beat_detector) {
+    if (evidence) {
+        const FusedEvidence now = evidence->next(network_input.next(onsets.mel_magnitudes()),
+                                                 std::span(window).first<kWindow>());
         tracked.has_evidence = true;
-        tracked.evidence_lag = lookahead;
-        tracked.evidence = beat_detector->next(network_input.next(onsets.mel_magnitudes()));
+        tracked.evidence_lag = evidence->lag();
+        tracked.evidence = now.fused;
+        tracked.own_evidence = now.own;
     }
     tracker.advance(tracked, state);
 }
@@ -304,6 +307,9 @@ void MusicAnalyzer::State::jump_gap(Sink& sink) noexcept RAKS_NONBLOCKING {
     if (lost_samples > kRhythmRate.index_at(StreamTime(kLongestBlindGap))) {
         tracker.jump();
         paper.jump();
+        if (evidence) {
+            evidence->jump();
+        }
     }
     // Fills the window with silence: in the gap only the number of samples matters.
     std::int64_t left = lost_samples;
@@ -380,13 +386,12 @@ Expected<void> MusicAnalyzer::prepare(const AnalyzerConfig& config) {
     // Bands above the source's own limit hold nothing.
     state_->onsets.limit_to(kPassBand * 0.5 * config.sample_rate.hertz());
     state_->beat_method = config.beat_method;
-    state_->beat_detector.reset();
+    state_->evidence.reset();
     state_->tracker.expect_dances(config.dances);
     state_->tracker.expect_told(config.told_bpm);
-    state_->tracker.set_bar_network(config.beat_network ? config.beat_network->bars() : nullptr);
+    state_->tracker.set_network(config.beat_network.get());
     if (config.beat_network) {
-        state_->beat_detector.emplace(config.beat_network);
-        state_->lookahead = config.beat_network->lookahead();
+        state_->evidence.emplace(config.beat_network);
     }
     state_->reset();
     return {};
@@ -453,6 +458,9 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
         state.is_other_music = true;
         state.tracker.jump();
         state.paper.jump();
+        if (state.evidence) {
+            state.evidence->jump();
+        }
         return;
     }
     // Rounded up to an even number of samples, see jump_gap().
@@ -475,6 +483,8 @@ std::span<const float> MusicAnalyzer::mel_magnitudes() const noexcept {
 }
 
 const TrackedHop& MusicAnalyzer::tracked() const noexcept { return state_->tracked; }
+
+const BeatTracker& MusicAnalyzer::beats() const noexcept { return state_->tracker; }
 
 const HopSound& MusicAnalyzer::sound() const noexcept { return state_->form.sound(); }
 

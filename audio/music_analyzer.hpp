@@ -19,6 +19,7 @@ namespace raks::audio {
 /// finds no bars and ignores commands.
 enum class BeatMethod : std::uint8_t { pointer, paper };
 
+class BeatTracker;      // audio/beat/beat_tracker.hpp
 class GenreRecognizer;  // audio/genre/genre_recognizer.hpp
 class BeatNetwork;      // audio/beat/network/beat_network.hpp
 struct GenreModel;      // audio/genre/genre_model.hpp
@@ -129,6 +130,9 @@ class MusicAnalyzer {
     /// What the beat tracker was given of the newest hop; its mel magnitudes are those above. Empty
     /// with the paper's method. Threads: the owner.
     [[nodiscard]] const TrackedHop& tracked() const noexcept;
+
+    /// What follows the beat, to be asked what its confidence follows from. Threads: the owner.
+    [[nodiscard]] const BeatTracker& beats() const noexcept;
 
     /// What the form tracker heard of the newest hop. Threads: the owner.
     [[nodiscard]] const HopSound& sound() const noexcept;

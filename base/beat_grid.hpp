@@ -23,9 +23,11 @@ struct BeatGrid {
     StreamTime anchor_time{};  ///< stream time of `anchor_beat`
     Beats anchor_beat{};       ///< any position, mostly a whole beat
     Bpm tempo{120.0};          ///< slope of the line, > 0
-    int beats_per_bar = 4;     ///< 2, 3, 4 or 6
+    int beats_per_bar = 4;     ///< 2 to 7
     Beats bar_origin{};        ///< a beat that is a downbeat ("1"); every beats_per_bar-th is
     float confidence = 0.0F;   ///< [0, 1]; 0: no estimate, the line only continues
+    /// [0, 1]: how sure beats_per_bar and bar_origin are.
+    float bar_confidence = 0.0F;
 
     /// Position on the beat axis at a time; any time.
     [[nodiscard]] Beats beats_at(StreamTime time) const noexcept {

@@ -21,8 +21,9 @@ using GenreLogProbabilities = std::array<float, kMostGenres + 1>;
 /// A beat as announced; it is never revised.
 struct BeatEvent {
     StreamTime time{};  ///< when it sounds in the input, corrected for the delays of the analysis
-    int bar_position = 0;     ///< 1..beats_per_bar; 0: the bar is not known
-    float confidence = 0.0F;  ///< [0, 1]
+    int bar_position = 0;         ///< 1..beats_per_bar; 0: the bar is not known
+    float confidence = 0.0F;      ///< [0, 1]
+    float bar_confidence = 0.0F;  ///< [0, 1], of bar_position
     friend bool operator==(const BeatEvent&, const BeatEvent&) = default;
 };
 
@@ -80,6 +81,13 @@ static_assert(kMusicEventNames.size() == static_cast<std::size_t>(MusicEvent::Ki
     return kMusicEventNames[static_cast<std::size_t>(kind)];
 }
 
+/// The tempo that the music may have in place of the one that is followed.
+struct RivalTempo {
+    double bpm = 0.0;          ///< 0: there is none
+    float probability = 0.0F;  ///< [0, 1], beside the grid's confidence
+    friend bool operator==(const RivalTempo&, const RivalTempo&) = default;
+};
+
 /// A strong onset.
 struct MusicAccent {
     /// Where in the spectrum it is strongest.
@@ -127,7 +135,10 @@ struct MusicState {
     StreamTime time{};  ///< == time_of_hop(hop)
     /// End of the audio used so far (>= time); shows in plots that no future audio was used.
     StreamTime audio_end{};
-    BeatGrid grid;  ///< tempo, beats and bars from here on
+    BeatGrid grid;     ///< tempo, beats and bars from here on
+    RivalTempo rival;  ///< the likeliest other tempo, such as an octave or three for two
+    /// Into how many parts the music divides the beats: 2 or 3.
+    int beat_parts = 2;
 
     bool has_beat = false;       ///< `beat` was announced since the last hop
     BeatEvent beat;              ///< valid while has_beat

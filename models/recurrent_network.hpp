@@ -23,7 +23,7 @@ class RecurrentNetwork {
  public:
     static constexpr std::size_t kMaxUnits = 128;   ///< of a layer: the size of a stream's state
     static constexpr std::size_t kMaxLayers = 3;    ///< of a network
-    static constexpr std::size_t kMaxOutputs = 17;  ///< size of Logits
+    static constexpr std::size_t kMaxOutputs = 18;  ///< size of Logits
 
     /// Sizes of a network.
     struct Shape {

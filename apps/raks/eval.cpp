@@ -98,7 +98,7 @@ std::string folder_name(const Path& folder) {
 // Scores of a tracker that ran elsewhere. An excerpt without a file counts as one without beats,
 // and a line says so.
 Expected<ScoredTracker> score_peer(const Path& folder, const Excerpts& excerpts) {
-    ScoredTracker tracker{folder_name(folder), {}};
+    ScoredTracker tracker{folder_name(folder), {}, {}};
     std::size_t missing = 0;
     for (const audio::BeatExcerpt& excerpt : excerpts) {
         auto estimate = audio::load_beat_estimate(folder, excerpt.name);
@@ -179,7 +179,7 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
     if (!analyzed) {
         return fail(analyzed.error());
     }
-    ScoredTracker tracker{name, {}};
+    ScoredTracker tracker{name, {}, {}};
     for (std::size_t i = 0; i < excerpts.size(); ++i) {
         // Not finished when a signal came.
         if (!(*analyzed)[i]) {
@@ -190,6 +190,7 @@ Expected<std::optional<ScoredTracker>> score_own(const Excerpts& excerpts,
             say(warning);
         }
         tracker.scores.push_back(audio::score_beats(excerpts[i].reference, estimate));
+        tracker.claims.push_back(audio::claims_of(excerpts[i].reference, estimate));
         if (!folder) {
             continue;
         }

@@ -71,7 +71,7 @@ Expected<AnalyzedFile> analyze_file(const audio::MusicFile& file,
                       .prior = engine::told(models, music->tags, file.path).genre_prior,
                       .has_tagger = models.tagger != nullptr});
     analyzer->process(music->samples, watch);
-    analyzed.shown = {file.name, file.genre, watch.shown()};
+    analyzed.shown = {file.name, file.genre, watch.shown(), watch.claims()};
     analyzed.track = watch.track();
     return analyzed;
 }

@@ -54,8 +54,10 @@ audio::BeatList list_of(const std::vector<BeatEvent>& beats, Bars bars) {
     audio::BeatList list;
     for (const BeatEvent& beat : beats) {
         list.times.push_back(rounded_seconds(beat.time));
+        list.confidences.push_back(beat.confidence);
         if (bars == Bars::told) {
             list.bar_positions.push_back(beat.bar_position);
+            list.bar_confidences.push_back(beat.bar_confidence);
         }
     }
     return list;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/reports/reliability_table.hpp"
 #include "audio/evaluate/piece_features.hpp"
 #include "base/json.hpp"
 
@@ -46,6 +47,23 @@ Total total_of(const GenreEvaluation& evaluation,
     }
     total.wrong_share /= std::max(1, total.files);
     return total;
+}
+
+// What was shown of all files by each voice that has something to say in any.
+std::vector<ReliabilityColumn> claims_of(const GenreEvaluation& evaluation) {
+    std::vector<ReliabilityColumn> columns;
+    for (std::size_t voice = 0; voice < kGenreVoiceNames.size(); ++voice) {
+        if (total_of(evaluation, voice).files == 0) {
+            continue;
+        }
+        ReliabilityColumn& column = columns.emplace_back();
+        column.name = kGenreVoiceNames[voice];
+        for (const GenreEvaluation::File& file : evaluation.shown) {
+            const std::vector<audio::Claim>& claims = file.claims[voice];
+            column.claims.insert(column.claims.end(), claims.begin(), claims.end());
+        }
+    }
+    return columns;
 }
 
 // "house", or "unknown" for none of the dances.
@@ -127,6 +145,10 @@ std::string genre_evaluation_json(const GenreEvaluation& evaluation) {
     json["right_at_end"] = heard.right_at_end;
     json["wrong_share"] = rounded(heard.wrong_share);
     json["shown_by"] = json_of_voices(evaluation);
+    json["reliability"] = Json::object();
+    for (const ReliabilityColumn& column : claims_of(evaluation)) {
+        json["reliability"][column.name] = reliability_json(column.claims);
+    }
     json["shown"] = Json::array();
     for (const GenreEvaluation::File& file : evaluation.shown) {
         json["shown"].push_back(json_of_file(evaluation, file));
@@ -178,7 +200,7 @@ std::string genre_evaluation_text(const GenreEvaluation& evaluation) {
                                 total.switches_a_minute());
         }
     }
-    return text;
+    return text + "\n" + reliability_table("confidence", claims_of(evaluation));
 }
 
 }  // namespace raks::apps

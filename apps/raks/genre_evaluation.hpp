@@ -24,8 +24,9 @@ struct GenreEvaluation {
     /// What would be shown of a file.
     struct File {
         std::string name;
-        std::string genre;                         ///< empty: none of the dances
-        ByVoice<std::optional<ShownDance>> shown;  ///< by each who has something to say
+        std::string genre;                          ///< empty: none of the dances
+        ByVoice<std::optional<ShownDance>> shown;   ///< by each who has something to say
+        ByVoice<std::vector<audio::Claim>> claims;  ///< with which confidence; see shown_claims()
     };
 
     std::vector<std::string> genres;

@@ -29,6 +29,7 @@ struct Listener {
 
 GenreWatch::GenreWatch(const audio::MusicAnalyzer& analyzer, const File& file)
     : analyzer_(analyzer),
+      truth_(file.truth),
       decisions_(for_all(analyzer.genres()->decision({}))),
       tallies_(for_all(ShownDanceTally(file.truth, analyzer.genres()->model().genres.size()))) {
     track_.genres = analyzer.genres()->model().genres;
@@ -80,12 +81,26 @@ void GenreWatch::judge(const MusicState& state) {
 ByVoice<std::optional<ShownDance>> GenreWatch::shown() const {
     ByVoice<std::optional<ShownDance>> shown;
     for (std::size_t voice = 0; voice < tallies_.size(); ++voice) {
-        // By all a dance is shown in files without tags, too.
-        if (track_.is_asked[voice] || voice == place(GenreVoice::all)) {
+        if (is_shown(voice)) {
             shown[voice] = tallies_[voice].result();
         }
     }
     return shown;
+}
+
+ByVoice<std::vector<audio::Claim>> GenreWatch::claims() const {
+    ByVoice<std::vector<audio::Claim>> claims;
+    for (std::size_t voice = 0; voice < claims.size(); ++voice) {
+        if (is_shown(voice)) {
+            claims[voice] = shown_claims(track_, static_cast<GenreVoice>(voice), truth_);
+        }
+    }
+    return claims;
+}
+
+// By all a dance is shown in files without tags, too.
+bool GenreWatch::is_shown(std::size_t voice) const noexcept {
+    return track_.is_asked[voice] || voice == place(GenreVoice::all);
 }
 
 }  // namespace raks::apps

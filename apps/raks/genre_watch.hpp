@@ -29,11 +29,15 @@ class GenreWatch final : public audio::MusicAnalyzer::Sink {
     [[nodiscard]] const GenreTrack& track() const noexcept { return track_; }
     /// What would be shown by each; nothing for those who have nothing to say.
     [[nodiscard]] ByVoice<std::optional<ShownDance>> shown() const;
+    /// With which confidence; none of those who have nothing to say. See shown_claims().
+    [[nodiscard]] ByVoice<std::vector<audio::Claim>> claims() const;
 
  private:
     void judge(const MusicState& state);
+    [[nodiscard]] bool is_shown(std::size_t voice) const noexcept;
 
     const audio::MusicAnalyzer& analyzer_;
+    std::size_t truth_;
     GenreTrack track_;
     ByVoice<audio::DanceDecision> decisions_;
     ByVoice<ShownDanceTally> tallies_;

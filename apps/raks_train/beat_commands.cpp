@@ -35,6 +35,9 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
     app.add_flag("--with-machines",
                  options.corpus.with_machines,
                  "more electronic music, as machines play it, and wider tempi");
+    app.add_flag("--with-metres",
+                 options.corpus.with_metres,
+                 "compound and additive metres, triplets, loud off-beats, slow music");
     app.add_option("--corpus-seed", options.corpus.seed, "same seed, same music");
     app.add_option("--leave-out", options.left_out, "families of music not to learn from");
     auto* from = app.add_option("--from", options.start, "X.json: go on from these weights");
@@ -59,6 +62,16 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
                    "beats stay as they are: batches of 48 x 96 beats to learn bars from")
         ->check(in_range(10, 1'000'000))
         ->needs(from);
+    app.add_option("--pulse-steps",
+                   options.pulse_steps,
+                   "beats stay as they are: batches of 48 x 64 beats to learn the metre from")
+        ->check(in_range(10, 1'000'000))
+        ->needs(from);
+    auto* judge = app.add_option("--judge",
+                                 options.judged,
+                                 "beats stay as they are: folders of annotated music, as of "
+                                 "--write, to learn from how sure a beat is");
+    judge->needs(from);
     auto* out = app.add_option("-o,--out", options.output, "X.json");
     auto* write =
         app.add_option("--write",
@@ -70,10 +83,10 @@ std::function<void()> add_options(CLI::App& app, TrainBeatsArguments& options) {
     together->excludes(write);
     together->excludes(average);
     // Without training only networks are needed; with it a pack of MIDI files and a soundfont.
-    return [average, together, pack, soundfont, out, write] {
-        if (average->count() + together->count() == 0 &&
+    return [average, together, judge, pack, soundfont, out, write] {
+        if (average->count() + together->count() + judge->count() == 0 &&
             (pack->count() == 0 || soundfont->count() == 0)) {
-            throw CLI::RequiredError("pack and --soundfont, or --average or --together");
+            throw CLI::RequiredError("pack and --soundfont, or --average, --together or --judge");
         }
         if (out->count() + write->count() == 0) {
             throw CLI::RequiredError("--out or --write");

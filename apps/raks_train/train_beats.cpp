@@ -1,4 +1,5 @@
 // `raks train beats`: renders a corpus and trains the networks of beats and bars.
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -9,14 +10,17 @@
 #include <vector>
 
 #include "apps/raks_train/installed_styles.hpp"
+#include "apps/raks_train/judged_beats.hpp"
 #include "apps/raks_train/train_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/music/styles/style_book.hpp"
 #include "base/pending_file.hpp"
+#include "engine/setup/analyzer_setup.hpp"
 #include "training/beat/corpus.hpp"
 #include "training/beat/train_bars.hpp"
 #include "training/beat/train_network.hpp"
+#include "training/beat/train_pulses.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,7 +31,11 @@ namespace {
 // Stored in the network's file: the licences of the material ask for it.
 constexpr const char* kAttribution =
     "Weights learnt from rendered MIDI: Google's Groove MIDI Dataset (CC-BY-4.0), Freedoom "
-    "(BSD-3-Clause), OpenScore Lieder (CC0-1.0) and patterns of our own; soundfonts under MIT.";
+    "(BSD-3-Clause), OpenScore Lieder (CC0-1.0) and patterns of our own; soundfonts FluidR3 GM and "
+    "MuseScore General (MIT), OPL-3 FM 128M (CC-BY-SA-4.0).";
+
+// A beat that is told as sure and is wrong does more harm than a right one told as doubtful.
+constexpr double kWrongCounts = 1.4;
 
 // The corpus of --corpus where that file exists, else rendered from the pack and stored there.
 Expected<std::vector<audio::TrainingExcerpt>> first_corpus_of(const TrainBeatsArguments& options) {
@@ -138,10 +146,52 @@ Expected<void> learn_bars(const TrainBeatsArguments& options,
     return saved;
 }
 
+// Trains the network for the metre beside the networks of --from, which stay as they are.
+Expected<void> learn_pulses(const TrainBeatsArguments& options,
+                            const std::vector<audio::TrainingExcerpt>& corpus,
+                            const audio::NetworkNotes& notes) {
+    audio::BeatNetwork network = *options.network.start;
+    audio::PulsePlan plan;
+    plan.steps = options.pulse_steps;
+    plan.seed = options.network.seed;
+    plan.threads = options.network.threads;
+    // Stays when no piece has even beats, since then nothing is reported.
+    Expected<void> saved = fail("no piece of this music has even beats to learn from");
+    const auto report = [&](const audio::NetworkProgress& progress,
+                            const audio::PulseNetwork& pulses) {
+        print_progress(progress);
+        network.set_pulses(std::make_shared<const audio::PulseNetwork>(pulses));
+        saved = audio::save_network(network, notes, options.output);
+    };
+    audio::train_pulses(corpus, plan, report);
+    return saved;
+}
+
+// Learns how sure a beat is from annotated music; the networks of --from stay as they are.
+Expected<void> learn_confidence(const TrainBeatsArguments& options,
+                                const audio::NetworkNotes& notes) {
+    // BeatNet is heard beside them, as where the program dances.
+    const auto network = engine::load_beat_network(options.start);
+    if (!network) {
+        return fail(network.error());
+    }
+    const auto judged = judge_beats_of(options.judged, *network);
+    if (!judged) {
+        return fail(judged.error());
+    }
+    const auto right = std::count_if(
+        judged->begin(), judged->end(), [](const auto& beat) { return beat.is_right; });
+    say(fmt::format("{} beats, {} of them right", judged->size(), right));
+    audio::BeatNetwork result = **network;
+    result.set_confidence(audio::fit_confidence(*judged, kWrongCounts));
+    return audio::save_network(result, notes, options.output);
+}
+
 // The command: its cheap variants first, then the training.
 Expected<void> run(TrainBeatsArguments& options, const std::string& command) {
     // Averaging and joining networks need no music, and so no styles.
-    const bool needs_music = options.averaged.empty() && options.ensembled.empty();
+    const bool needs_music =
+        options.averaged.empty() && options.ensembled.empty() && options.judged.empty();
     if (needs_music) {
         auto styles = load_installed_styles();
         if (!styles) {
@@ -171,6 +221,9 @@ Expected<void> run(TrainBeatsArguments& options, const std::string& command) {
         };
         return write_made_of(options.ensembled, make, options, notes);
     }
+    if (!options.judged.empty()) {
+        return learn_confidence(options, notes);
+    }
     if (!options.start.empty()) {
         auto start = audio::load_network(options.start);
         if (!start) {
@@ -178,9 +231,10 @@ Expected<void> run(TrainBeatsArguments& options, const std::string& command) {
         }
         // A compound network is several networks that were trained apart; going on would train only
         // one.
-        if (!(*start)->others().empty() && options.bar_steps == 0) {
+        if (!(*start)->others().empty() && options.bar_steps == 0 && options.pulse_steps == 0) {
             return fail(options.start.string() +
-                        ": holds several networks, which learn apart; only --bar-steps goes on");
+                        ": holds several networks, which learn apart; only --bar-steps and "
+                        "--pulse-steps go on");
         }
         options.network.start = std::move(*start);
     }
@@ -193,6 +247,9 @@ Expected<void> run(TrainBeatsArguments& options, const std::string& command) {
     }
     if (options.bar_steps > 0) {
         return learn_bars(options, *corpus, notes);
+    }
+    if (options.pulse_steps > 0) {
+        return learn_pulses(options, *corpus, notes);
     }
     // Every report saves the file: an interrupted training leaves the last state.
     Expected<void> saved;

@@ -124,6 +124,8 @@ struct TrainBeatsArguments {
     float trust = 1.0F;          // factor on that average before the sigmoid; below 1: less sure
     audio::NetworkPlan network;  ///< how the network is trained
     int bar_steps = 0;           // 0: learns beats
+    int pulse_steps = 0;         // likewise
+    std::vector<std::filesystem::path> judged;  ///< annotated music to learn confidence from
     std::filesystem::path output;
     std::filesystem::path music_folder;  ///< for --write
 };

@@ -78,7 +78,8 @@ void AnalysisDocument::add(const MusicState& state) {
         return;
     }
     const double time = rounded(state.time);
-    tempo_.push_back({time, state.grid.tempo.bpm(), state.grid.confidence});
+    tempo_.push_back(
+        {time, state.grid.tempo.bpm(), state.grid.confidence, state.rival, state.beat_parts});
     genre_.push_back({time, state.genre_class, state.is_genre_told, state.genre_log_probability});
 }
 
@@ -104,6 +105,7 @@ void AnalysisDocument::replace_beats(std::vector<BeatEvent> beats) {
         }
         // Beyond the last beat the tempo stays the streaming tracker's, without confidence.
         point.confidence = 0.0F;
+        point.rival = {};
         if (next < beats_.size()) {
             // Tempo of the one interval, without smoothing.
             point.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
@@ -141,13 +143,17 @@ std::string AnalysisDocument::to_json(Nanos duration) const {
     for (const TempoPoint& point : tempo_) {
         tempo.push_back({{"time", point.time},
                          {"bpm", std::round(point.bpm * 1e3) / 1e3},
-                         {"confidence", shortened(point.confidence)}});
+                         {"confidence", shortened(point.confidence)},
+                         {"rival_bpm", std::round(point.rival.bpm * 1e3) / 1e3},
+                         {"rival", shortened(point.rival.probability)},
+                         {"parts", point.parts}});
     }
     auto& beats = document["beats"] = Json::array();
     for (const BeatEvent& beat : beats_) {
         beats.push_back({{"time", rounded(beat.time)},
                          {"bar_position", beat.bar_position},
-                         {"confidence", shortened(beat.confidence)}});
+                         {"confidence", shortened(beat.confidence)},
+                         {"bar_confidence", shortened(beat.bar_confidence)}});
     }
     document["predicted"] = predicted_;
     document["meter"] = beats_per_bar_;

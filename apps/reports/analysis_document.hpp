@@ -49,6 +49,8 @@ class AnalysisDocument {
         double time;
         double bpm;
         float confidence;
+        RivalTempo rival;
+        int parts;  ///< MusicState::beat_parts
     };
     struct GenrePoint {
         double time;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "apps/reports/reliability_table.hpp"
 #include "apps/reports/text_table.hpp"
 #include "base/json.hpp"
 
@@ -99,6 +100,27 @@ std::string by_excerpt(const BeatReport& report, const ScoredTracker& tracker) {
     return "\n" + text_table(rows);
 }
 
+// Claims of all excerpts in one row.
+std::vector<audio::Claim> all_claims(const ScoredTracker& tracker,
+                                     std::vector<audio::Claim> audio::BeatClaims::*kind) {
+    std::vector<audio::Claim> all;
+    for (const audio::BeatClaims& claims : tracker.claims) {
+        all.insert(all.end(), (claims.*kind).begin(), (claims.*kind).end());
+    }
+    return all;
+}
+
+// Empty where the tracker gives no confidence.
+std::string tracker_reliability(const ScoredTracker& tracker) {
+    if (tracker.claims.empty()) {
+        return {};
+    }
+    return "\n" +
+           reliability_table(tracker.name + ", confidence",
+                             {{"beats", all_claims(tracker, &audio::BeatClaims::beats)},
+                              {"bar positions", all_claims(tracker, &audio::BeatClaims::bars)}});
+}
+
 }  // namespace
 
 // "all" comes first; classes follow in the order of their first excerpt.
@@ -142,6 +164,9 @@ std::string to_text(const BeatReport& report, Detail detail) {
             text += by_excerpt(report, tracker);
         }
     }
+    for (const ScoredTracker& tracker : report.trackers) {
+        text += tracker_reliability(tracker);
+    }
     return text;
 }
 
@@ -174,7 +199,13 @@ Json tracker_of(const BeatReport& report, const ScoredTracker& tracker) {
                             {"class", report.excerpts[i].category},
                             {"scores", scores_of(tracker.scores[i])}});
     }
-    return {{"name", tracker.name}, {"classes", groups}, {"excerpts", excerpts}};
+    Json document = {{"name", tracker.name}, {"classes", groups}, {"excerpts", excerpts}};
+    if (!tracker.claims.empty()) {
+        document["reliability"] = {
+            {"beats", reliability_json(all_claims(tracker, &audio::BeatClaims::beats))},
+            {"bars", reliability_json(all_claims(tracker, &audio::BeatClaims::bars))}};
+    }
+    return document;
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct ScoredExcerpt {
 struct ScoredTracker {
     std::string name;                       ///< of the tracker or method
     std::vector<audio::BeatScores> scores;  ///< one an excerpt, in the report's order
+    /// What it said with which confidence, one an excerpt; empty: it gives none.
+    std::vector<audio::BeatClaims> claims;
 };
 
 /// All scores of an evaluation.
@@ -42,7 +44,7 @@ enum class Detail { by_class, by_excerpt };
 
 /// Tables in Markdown, in per cent, seconds and milliseconds. One tracker: its scores by class.
 /// Several: over all excerpts, then F, CMLt, AMLt, pred35 and downF by class. By excerpt as well
-/// where asked.
+/// where asked. Last, of trackers with confidences, how often claims of each confidence are right.
 [[nodiscard]] std::string to_text(const BeatReport& report, Detail detail);
 
 /// One JSON document: format "raks-eval-beats", version 1; shares in [0, 1], null where there is no

@@ -1,5 +1,7 @@
 #include "apps/reports/genre_track.hpp"
 
+#include <cmath>
+
 namespace raks::apps {
 namespace {
 
@@ -12,6 +14,21 @@ double share_of(int part, int whole) noexcept {
 }
 
 }  // namespace
+
+std::vector<audio::Claim> shown_claims(const GenreTrack& track,
+                                       GenreVoice voice,
+                                       std::size_t truth) {
+    const auto of = static_cast<std::size_t>(voice);
+    const std::size_t none = track.genres.size();
+    std::vector<audio::Claim> claims;
+    for (const GenreStep& step : track.steps) {
+        const std::size_t shown = step.shown[of];
+        if (step.seconds >= kBegun && shown != none) {
+            claims.push_back({std::exp(step.logs[of][shown]), shown == truth});
+        }
+    }
+    return claims;
+}
 
 void ShownDanceTally::add(double seconds, std::size_t shown) noexcept {
     // The first decision is no switch, and neither is what follows "unknown".

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "audio/evaluate/reliability.hpp"
 #include "audio/genre/genre_fusion.hpp"
 
 /// Threads: any. Real-time: no.
@@ -53,6 +54,12 @@ struct ShownDance {
     std::size_t at_end = 0;    ///< class that is shown at last
     double wrong_share = 0.0;  ///< of the hops from 5 s on: another dance than that of the file
 };
+
+/// Of each decision from 5 s on by which a dance was shown: its probability, which the program
+/// tells as its confidence, and whether it is the file's. `truth`: class of the file.
+[[nodiscard]] std::vector<audio::Claim> shown_claims(const GenreTrack& track,
+                                                     GenreVoice voice,
+                                                     std::size_t truth);
 
 /// Tallies what is shown hop by hop. Threads: one.
 class ShownDanceTally {

@@ -52,6 +52,22 @@ std::span<const BeatEvent> scored(std::span<const BeatEvent> beats) {
     return {first, beats.end()};
 }
 
+bool has_beat(const PlotColumn& column) {
+    constexpr double kLeastConfidence = 0.1;
+    return column.tempi > 0 && column.confidence > kLeastConfidence * column.tempi;
+}
+
+// Whether the other tempo of a column is drawn. Where nothing has a beat, all tempi are as likely.
+bool is_worth_telling(const PlotColumn& column) {
+    constexpr float kLeastProbability = 0.1F;
+    return has_beat(column) && column.rival.probability >= kLeastProbability;
+}
+
+// Into how many parts most beats of a column are divided; 0: nothing has a beat.
+int parts_of_beats(const PlotColumn& column) {
+    return !has_beat(column) ? 0 : 2 * column.in_three > column.tempi ? 3 : 2;
+}
+
 }  // namespace
 
 // F = 2 hits / (beats + reference beats); 0 when there are neither.
@@ -140,6 +156,11 @@ void Plotter::tempo() {
         }
     }
     seen.insert(seen.end(), reference.begin(), reference.end());
+    for (const PlotColumn& column : data_.columns()) {
+        if (is_worth_telling(column)) {
+            seen.push_back(column.rival.bpm);
+        }
+    }
     // The range is that of nearly all values: a single octave error must not flatten the rest.
     double low = seen.empty() ? 100.0 : lower_percentile(seen, 0.005);
     double high = seen.empty() ? 140.0 : lower_percentile(seen, 0.995);
@@ -156,13 +177,37 @@ void Plotter::tempo() {
     if (labels_.reference) {
         sheet_.legend(panel, kOrange, "reference intervals");
     }
+    sheet_.legend(panel, kRed, "may be instead, the larger the likelier");
     sheet_.legend(panel, kBlue, "tracker");
     for (std::size_t i = 0; i < reference.size(); ++i) {
         places += fmt::format("M{:.1f} {:.1f}h0", reference_x[i], panel.y(reference[i]));
     }
     dots(places, kOrange, 4.0);
+    rival_tempi(panel);
     stroke(line(panel, bpm), kBlue, 1.6);
     sheet_.end_panel();
+}
+
+// The tempo that it may be instead, where there is a beat and that is not unlikely; larger dots are
+// likelier.
+void Plotter::rival_tempi(const Panel& panel) {
+    constexpr std::array kSizes = {1.5, 2.5, 3.5};
+    std::array<std::string, kSizes.size()> places;
+    double last = -1.0;
+    for (std::size_t i = 0; i < data_.columns().size(); ++i) {
+        const RivalTempo& rival = data_.columns()[i].rival;
+        const double at = column_x(i);
+        if (!is_worth_telling(data_.columns()[i]) || at < last + kLeastGap) {
+            continue;
+        }
+        last = at;
+        const auto size = std::min<std::size_t>(kSizes.size() - 1,
+                                                static_cast<std::size_t>(6.0F * rival.probability));
+        places[size] += fmt::format("M{:.1f} {:.1f}h0", at, panel.y(rival.bpm));
+    }
+    for (std::size_t i = 0; i < kSizes.size(); ++i) {
+        dots(places[i], kRed, kSizes[i]);
+    }
 }
 
 // Position in the bar of each beat; as many rows as the longest bar has beats, at least four.
@@ -204,16 +249,56 @@ void Plotter::bar() {
     sheet_.end_panel();
 }
 
-// Mean confidence of each column, as an area from 0.
+// Mean confidence of each column, as an area from 0; beside it that of the bar, and how likely
+// another tempo is.
 void Plotter::confidence() {
-    const Values values =
-        collect([](const PlotColumn& c) { return c.tempi > 0 ? c.confidence / c.tempi : 0.0; });
+    const auto mean = [this](double PlotColumn::*sum) {
+        return collect([sum](const PlotColumn& c) { return c.tempi > 0 ? c.*sum / c.tempi : 0.0; });
+    };
+    const Values beats = mean(&PlotColumn::confidence);
+    const Values others = collect([](const PlotColumn& c) {
+        return is_worth_telling(c) ? static_cast<double>(c.rival.probability) : 0.0;
+    });
     const Panel panel = sheet_.begin_panel({"confidence", "Confidence", "0 to 1", 64.0, 0.0, 1.0});
+    sheet_.legend(panel, kRed, "of another tempo");
+    sheet_.legend(panel, kBlue, "of the bar");
+    sheet_.legend(panel, kTeal, "of the beat");
     sheet_.tick(panel, 0.0, "0");
     sheet_.tick(panel, 0.5, "0.5");
     sheet_.tick(panel, 1.0, "1");
-    fill(area(panel, values, Values(values.size(), 0.0)), "#ccfbf1");
-    stroke(line(panel, values), kTeal, 1.4);
+    fill(area(panel, beats, Values(beats.size(), 0.0)), "#ccfbf1");
+    stroke(line(panel, others), kRed, 1.0);
+    stroke(line(panel, mean(&PlotColumn::bar_confidence)), kBlue, 1.0);
+    stroke(line(panel, beats), kTeal, 1.4);
+    sheet_.end_panel();
+}
+
+// A strip in two colours: into how many parts the music divides most of a column's beats.
+void Plotter::beat_parts() {
+    const Panel panel = sheet_.begin_panel({"beat_parts", "Parts of a beat", "", 14.0, 0.0, 1.0});
+    sheet_.legend(panel, kOrange, "three");
+    sheet_.legend(panel, kPale, "two");
+    const auto columns = data_.columns();
+    std::array<std::string, 2> stretches;  // of two, of three
+    for (std::size_t i = 0; i < columns.size();) {
+        const auto parts = [&](std::size_t column) { return parts_of_beats(columns[column]); };
+        const int now = parts(i);
+        std::size_t end = i + 1;
+        while (end < columns.size() && parts(end) == now) {
+            ++end;
+        }
+        if (now > 0) {
+            stretches[now == 3 ? 1 : 0] += fmt::format("M{:.1f} {:.1f}H{:.1f}v{:.1f}H{:.1f}z",
+                                                       column_x(i),
+                                                       panel.top,
+                                                       column_x(end),
+                                                       panel.height,
+                                                       column_x(i));
+        }
+        i = end;
+    }
+    fill(stretches[0], kPale);
+    fill(stretches[1], kOrange);
     sheet_.end_panel();
 }
 

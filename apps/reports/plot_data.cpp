@@ -33,6 +33,9 @@ PlotColumn merged(const PlotColumn& a, const PlotColumn& b) {
     both.threshold = std::max(a.threshold, b.threshold);
     both.bpm += b.bpm;
     both.confidence += b.confidence;
+    both.bar_confidence += b.bar_confidence;
+    both.in_three += b.in_three;
+    both.rival = b.rival.probability > both.rival.probability ? b.rival : both.rival;
     both.tempi += b.tempi;
     both.states += b.states;
     for (std::size_t row = 0; row < both.music.size(); ++row) {
@@ -174,6 +177,9 @@ void PlotData::add(const MusicState& state) {
     PlotColumn& column = column_of(state.hop);
     column.bpm += state.grid.tempo.bpm();
     column.confidence += static_cast<double>(state.grid.confidence);
+    column.bar_confidence += static_cast<double>(state.grid.bar_confidence);
+    column.in_three += state.beat_parts == 3 ? 1 : 0;
+    column.rival = state.rival.probability > column.rival.probability ? state.rival : column.rival;
     for (std::size_t row = 0; row < kMusicTable.size(); ++row) {
         const auto fields = kMusicTable[row].used();
         for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -217,6 +223,9 @@ void PlotData::replace_beats(std::vector<BeatEvent> beats) {
         if (column.tempi > 0) {
             column.bpm = 60.0 / to_seconds(beats_[next].time - beats_[next - 1].time);
             column.confidence = static_cast<double>(beats_[next].confidence);
+            column.bar_confidence = static_cast<double>(beats_[next].bar_confidence);
+            column.in_three = 0;
+            column.rival = {};
         }
     }
 }

@@ -25,6 +25,9 @@ struct PlotColumn {
     float threshold = 0.0F;                 ///< its threshold, highest of the hops
     double bpm = 0.0;                       ///< sum over the hops that have a tempo
     double confidence = 0.0;                ///< sum over the hops that have a tempo
+    double bar_confidence = 0.0;            ///< likewise, of the place in the bar
+    int in_three = 0;                       ///< of these hops, those whose beats have three parts
+    RivalTempo rival;                       ///< the most probable one of the hops
     int tempi = 0;                          ///< hops that have a tempo
     MusicNumbers music{};                   ///< of what is drawn: sums over `states`
     int states = 0;                         ///< hops that have a state

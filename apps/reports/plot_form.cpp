@@ -96,17 +96,20 @@ void Plotter::form() {
     double last = -kNameWidth;
     int row = 0;
     std::string lines;
+    std::string names;
     for (const MusicEvent& event : data_.events()) {
         const double at = sheet_.x(to_seconds(event.time));
         row = at < last + kNameWidth ? (row + 1) % 4 : 0;
         last = at;
         lines += fmt::format("M{:.1f} {:.1f}v{:.1f}", at, panel.top, panel.height);
-        sheet_.raw(fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\">{}</text>\n",
-                               at + 3.0,
-                               panel.top + 13.0 + 15.0 * row,
-                               music_event_name(event.kind)));
+        names += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"event\">{}</text>\n",
+                             at + 3.0,
+                             panel.top + 13.0 + 15.0 * row,
+                             music_event_name(event.kind));
     }
+    // Names over the lines of the events that follow soon.
     stroke(lines, kRed, 1.2);
+    sheet_.raw(names);
     sheet_.end_panel();
 }
 
@@ -146,6 +149,9 @@ void Plotter::repeats() {
             draw(bar, end, 15.0, found.first->second);
         }
         bar = end;
+    }
+    if (colours.empty()) {
+        sheet_.note(panel, "no bars come again");
     }
     sheet_.end_panel();
 }

@@ -55,6 +55,7 @@ Expected<std::string> Plotter::draw() {
     beats();
     tempo();
     bar();
+    beat_parts();
     confidence();
     numbers();
     form();

@@ -81,8 +81,10 @@ class Plotter {
                   double foot,
                   double length);
     void tempo();
+    void rival_tempi(const Panel& panel);
     void bar();
     void confidence();
+    void beat_parts();
     void numbers();
     /// The panel of a row of kMusicTable; none where nothing of it is drawn.
     void numbers_of(std::size_t row);

@@ -9,9 +9,14 @@
 namespace raks::audio {
 
 /// The slowest tempo that the beat tracker follows.
-inline constexpr Bpm kSlowestTempo{50.0};
+inline constexpr Bpm kSlowestTempo{40.0};
 /// The fastest tempo that the beat tracker follows.
 inline constexpr Bpm kFastestTempo{230.0};
+
+/// Whether the beat tracker follows this tempo.
+[[nodiscard]] constexpr bool is_followed(Bpm tempo) noexcept {
+    return tempo >= kSlowestTempo && tempo <= kFastestTempo;
+}
 
 /// A user's command to the beat tracker. It takes effect at `time`, or at the next hop when that
 /// has passed.
@@ -21,6 +26,7 @@ struct AnalyzerCommand {
         tap,  ///< a beat was tapped at `time`; from the third tap on, taps set tempo and phase
         half_tempo,     ///< every other beat from here on
         double_tempo,   ///< twice as many beats from here on
+        three_two,      ///< three beats for two or two for three, whichever the music fits better
         nudge,          ///< beats move by `value` seconds (positive: later), |value| <= 0.5
         resync_bar,     ///< the beat nearest to `time` is count 1
         set_tempo,      ///< `value` BPM, clamped to the range above, held until release_tempo

@@ -48,8 +48,8 @@ class BeatChange {
 /// Bars as a Markov chain over metre x position: what both the running belief and the search over a
 /// whole song assume.
 struct BarModel {
-    static constexpr std::array kMetres = {2, 3, 4, 6};  ///< beats a bar
-    static constexpr float kMetreChange = 0.02F;         ///< probability a bar
+    static constexpr std::array kMetres = {2, 3, 4, 5, 6, 7};  ///< beats a bar
+    static constexpr float kMetreChange = 0.02F;               ///< probability a bar
     /// Share of the prior that is mixed in each beat: the bar may be counted wrong.
     static constexpr float kLeak = 0.003F;
     /// Probability of a metre while nothing is known.
@@ -60,9 +60,13 @@ struct BarModel {
             case 3:
                 return 0.2F;
             case 4:
-                return 0.62F;
-            default:
+                return 0.58F;
+            case 5:
+                return 0.03F;
+            case 6:
                 return 0.02F;
+            default:
+                return 0.01F;
         }
     }
 };
@@ -130,7 +134,7 @@ class BarBelief {
     /// downbeat of the same bars. The probabilities start anew.
     void recount(long origin) noexcept RAKS_NONBLOCKING;
 
-    /// Most likely metre: 2, 3, 4 or 6.
+    /// Most likely metre: one of BarModel::kMetres.
     [[nodiscard]] int beats_per_bar() const noexcept { return beats_per_bar_; }
     /// A beat number that is a downbeat.
     [[nodiscard]] long origin() const noexcept { return origin_; }
@@ -142,7 +146,7 @@ class BarBelief {
 
  private:
     static constexpr auto kMetres = BarModel::kMetres;
-    static constexpr std::size_t kLongest = 6;
+    static constexpr std::size_t kLongest = 7;
     using Positions = std::array<float, kLongest>;  // probability by bar position
 
     void step() noexcept;

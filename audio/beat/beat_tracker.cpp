@@ -26,8 +26,14 @@ constexpr double kSteadyBeats = 12.0;    // over which the tempo to run on with 
 constexpr double kFirstSteady = 1.0;     // beats, after a grid was set anew
 constexpr double kSteadyReach = 0.05;    // ratio: beyond it the tempo was changing
 
-constexpr float kMassShare = 0.02F;     // of a hop in the smoothed mass
-constexpr float kSilentDecay = 0.985F;  // a hop: confidence is gone after 2 s
+// Evidence of beats off the believed pulse: how much of it is left out at most, and how far the
+// pulse reaches, in hops.
+constexpr float kOffBelieved = 0.8F;
+constexpr double kBelievedReach = 4.0;
+
+constexpr float kMassShare = 0.02F;                   // of a hop in the smoothed mass
+constexpr float kKeepMargins = 1.0F - 1.0F / 500.0F;  // a hop: rivals are weighed over 5 s
+constexpr float kSilentDecay = 0.985F;                // a hop: confidence is gone after 2 s
 
 constexpr Nanos kAnnounceLead = kHop;
 
@@ -41,13 +47,15 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     bars_.reset();
     changes_.reset();
     forget_bars();
+    forget_pulses();
+    pulse_beat_ = 0;
     sounding_beat_ = 0;
     change_ = 0.0F;
     taps_.reset();
     position_ = 0.0;
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
-    is_tempo_held_ = false;
+    is_tempo_held_ = is_tempo_chosen_ = false;
     hint_ = DanceId::none;
     begin_tempo();
     hops_without_ = 0;
@@ -56,15 +64,22 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     rated_beat_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
+    margins_.reset();
+    verdict_ = {};
     next_beat_ = next_predicted_ = 0;
     last_beat_time_ = last_predicted_time_ = StreamTime(std::chrono::seconds(-10));
     commands_.clear();
 }
 
-void BeatTracker::set_bar_network(std::shared_ptr<const BarNetwork> network) {
+void BeatTracker::set_network(const BeatNetwork* network) {
     bar_stream_.reset();
-    if (network) {
-        bar_stream_.emplace(std::move(network));
+    pulse_stream_.reset();
+    confidence_model_ = network != nullptr ? network->confidence() : ConfidenceModel();
+    if (network != nullptr && network->bars()) {
+        bar_stream_.emplace(network->bars());
+    }
+    if (network != nullptr && network->pulses()) {
+        pulse_stream_.emplace(network->pulses());
     }
 }
 
@@ -77,12 +92,24 @@ void BeatTracker::forget_bars() noexcept {
     }
 }
 
+// What was said of the pulse belongs to another one, or to other music.
+void BeatTracker::forget_pulses() noexcept {
+    pulses_.reset();
+    pulse_input_.reset();
+    if (pulse_stream_) {
+        pulse_stream_->reset();
+    }
+}
+
 void BeatTracker::jump() noexcept RAKS_NONBLOCKING {
     pointer_.open_positions();
     forget_bars();
+    forget_pulses();
     hops_with_evidence_ = 0;
     beats_rated_ = 0;
     contrast_ = mass_ = confidence_ = 0.0F;
+    margins_.reset();
+    verdict_ = {};
 }
 
 // Entry of a hop in the ring of recent hops; a negative hop number is valid, too.
@@ -95,13 +122,14 @@ BeatTracker::HopEvidence& BeatTracker::evidence_at(HopIndex hop) noexcept {
 void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
     run_commands(time_of_hop(hop.hop));
-    evidence_at(hop.hop) = {hop.onset_strength, {}};
+    evidence_at(hop.hop) = {.strength = hop.onset_strength, .evidence = {}};
     if (hop.is_silent) {
         pointer_.advance_blind();
         confidence_ *= kSilentDecay;
     } else {
         track_tempo(hop);
         track_bars(hop);
+        track_pulses(hop);
         rate_beat(hop);
         rate_confidence(hop);
     }
@@ -128,8 +156,9 @@ void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
         // The evidence is of an earlier hop: the pointer takes that hop's onset strength with it.
         HopEvidence& then = evidence_at(hop.hop - hop.evidence_lag);
         then.evidence = hop.evidence;
-        pointer_.advance(then.strength, hop.evidence);
-        hops_without_ = hop.evidence.beat > kLeastEvidence ? 0 : hops_without_ + 1;
+        then.own_beat = hop.own_evidence.beat;
+        pointer_.advance(then.strength, as_believed(hop.evidence, hop.evidence_lag));
+        hops_without_ = hop.own_evidence.beat > kLeastEvidence ? 0 : hops_without_ + 1;
     } else {
         pointer_.advance(hop.onset_strength);
         hops_without_ = 0;
@@ -142,6 +171,7 @@ void BeatTracker::track_tempo(const TrackedHop& hop) noexcept {
     }
     const double before = position_ - beats_per_hop_;
     follow(pointer_.estimate(), hop.evidence_lag);
+    weigh_rivals(hop);
     keep_tempo(position_ - before);
 }
 
@@ -195,6 +225,10 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
         hops_apart_ = 0;
         position_ += error;
         mass_ *= 0.5F;  // it belongs to another hypothesis
+        if (is_apart) {
+            margins_.reset();
+            forget_pulses();
+        }
         if (!is_tempo_held_) {
             beats_per_hop_ = believed_rate;
         }
@@ -209,6 +243,18 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
         beats_per_hop_ += kTempoGain * error + kTempoPull * (believed_rate - beats_per_hop_);
     }
     mass_ += kMassShare * (estimate.mass - mass_);
+}
+
+// The evidence is of an earlier hop, at which the grid was where it came from.
+void BeatTracker::weigh_rivals(const TrackedHop& hop) noexcept {
+    if (!hop.has_evidence) {
+        return;
+    }
+    const double lag = hop.evidence_lag + kOnsetLagHops - nudge_hops_;
+    margins_.add(
+        fit_pulses(
+            position_ - lag * beats_per_hop_, 1.0 / beats_per_hop_, likelihood_of(hop.evidence)),
+        kKeepMargins);
 }
 
 // Collects the sound of each beat for the bar evidence; a beat's evidence is complete when the next
@@ -229,8 +275,44 @@ void BeatTracker::track_bars(const TrackedHop& hop) noexcept {
     }
     changes_.add(hop.mel_magnitudes.first<OnsetDetector::kMelBands>());
     if (bar_stream_ && hop.has_evidence) {
-        bar_input_.add_hop(hop.mel_magnitudes, position - beat, hop.evidence);
+        bar_input_.add_hop(hop.mel_magnitudes, position - beat, hop.own_evidence);
     }
+}
+
+// What lies off the pulse that is believed to be the beat counts less: changing over costs.
+BeatEvidence BeatTracker::as_believed(const BeatEvidence& evidence, int lag) const noexcept {
+    const double position = position_ - (lag + kOnsetLagHops - nudge_hops_) * beats_per_hop_;
+    const double hops_away = wrapped(position) / beats_per_hop_ / kBelievedReach;
+    const auto off = static_cast<float>(1.0 - std::exp(-0.5 * hops_away * hops_away));
+    const float belief = std::max(0.0F, 2.0F * pulses_.right() - 1.0F);
+    BeatEvidence believed = evidence;
+    believed.beat *= 1.0F - kOffBelieved * belief * off;
+    return believed;
+}
+
+// Collects the sound of each beat for the network for the metre. When it says for long enough that
+// another pulse is the beat, that one is followed, unless the user chose the tempo.
+void BeatTracker::track_pulses(const TrackedHop& hop) noexcept {
+    if (!pulse_stream_ || !hop.has_evidence ||
+        hop.mel_magnitudes.size() != OnsetDetector::kMelBands) {
+        return;
+    }
+    const double position =
+        position_ + PulseInput::kAheadHops * beats_per_hop_ + PulseInput::kEarlier;
+    const double beat = std::floor(position);
+    if (std::lround(beat) != pulse_beat_) {
+        pulses_.observe(pulse_beat_, pulse_stream_->next(pulse_input_.next_beat()));
+        pulse_beat_ = std::lround(beat);
+        const auto better = pulses_.better(margins_);
+        const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+        const bool is_heard = hops_without_ * beats_per_hop_ < kLongestWithout;
+        if (better && is_heard && !is_tempo_told_ && !is_tempo_held_ && !is_tempo_chosen_ &&
+            is_followed(Bpm(bpm * better->rate))) {
+            take_pulse(*better);
+            return;
+        }
+    }
+    pulse_input_.add_hop(hop.mel_magnitudes, position - beat);
 }
 
 // Once all hops around a beat are known: its strength for the confidence, and its bar evidence.
@@ -247,15 +329,18 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     const HopIndex centre = hop.hop - std::lround(hops_ago - kOnsetLagHops);
     float strength = 0.0F;
     BeatEvidence most;
+    float own = 0.0F;
     for (HopIndex at = centre - kAround; at <= centre + kAround; ++at) {
         const HopEvidence& then = evidence_at(at);
         strength += then.strength / (2 * kAround + 1);
         most.beat = std::max(most.beat, then.evidence.beat);
+        own = std::max(own, then.own_beat);
         most.downbeat = std::max(most.downbeat, then.evidence.downbeat);
     }
     // A plain mean over the first 8 beats, an exponential one later.
     beats_rated_ = std::min(beats_rated_ + 1, 8);
-    const float contrast = hop.has_evidence ? most.beat : strength;
+    // Whether there is a beat at all our own networks tell best: others hear one in any sound.
+    const float contrast = hop.has_evidence ? own : strength;
     contrast_ += (contrast - contrast_) / static_cast<float>(beats_rated_);
     // Changes and bar evidence are of the beat before, so they come before next_beat().
     bars_.observe_change(std::exchange(change_, 0.0F));
@@ -269,12 +354,22 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
     }
 }
 
-// Confidence: the probability of the pointer's hypothesis times the evidence on its beats.
+// Confidence: with networks how sure the beat is before its rivals; without, the probability of the
+// pointer's hypothesis times the onsets on its beats.
 void BeatTracker::rate_confidence(const TrackedHop& hop) noexcept {
     const float least = hop.has_evidence ? kLeastEvidence : kLeastStrength;
     const float full = hop.has_evidence ? kFullEvidence : kFullStrength;
-    const float on_beats = std::clamp((contrast_ - least) / (full - least), 0.0F, 1.0F);
-    confidence_ = std::min(1.0F, 1.1F * mass_) * on_beats;
+    on_beats_ = std::clamp((contrast_ - least) / (full - least), 0.0F, 1.0F);
+    if (!hop.has_evidence) {
+        confidence_ = std::min(1.0F, 1.1F * mass_) * on_beats_;
+        return;
+    }
+    verdict_ = judge_beat(confidence_model_,
+                          margins_,
+                          pulses_.right(),
+                          beats_per_hop_ * kHopsPerSecond * 60.0,
+                          on_beats_);
+    confidence_ = verdict_.confidence;
 }
 
 // The grid as a line through the current hop.
@@ -285,6 +380,10 @@ void BeatTracker::publish(HopIndex hop, MusicState& state) const noexcept {
     state.grid.beats_per_bar = bars_.beats_per_bar();
     state.grid.bar_origin = Beats(static_cast<double>(bars_.origin()));
     state.grid.confidence = confidence_;
+    state.grid.bar_confidence = bars_.confidence();
+    const double rival_bpm = verdict_.rival_rate * state.grid.tempo.bpm();
+    state.rival = {verdict_.rival > 0.0F ? rival_bpm : 0.0, verdict_.rival};
+    state.beat_parts = margins_.for_three() > 0.0F ? 3 : 2;
 }
 
 // A beat is announced once, when it is due. One that follows the last too soon is left out: the
@@ -303,7 +402,10 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
             const int in_bar = static_cast<int>(
                 std::lround(state.grid.bar_position(Beats(static_cast<double>(next_beat_)))));
             state.has_beat = true;
-            state.beat = {beat, in_bar % state.grid.beats_per_bar + 1, confidence_};
+            state.beat = {beat,
+                          in_bar % state.grid.beats_per_bar + 1,
+                          confidence_,
+                          state.grid.bar_confidence};
         }
         ++next_beat_;
     }
@@ -334,6 +436,8 @@ void BeatTracker::change_tempo(double bpm) noexcept {
     const double in_range = std::clamp(bpm, kSlowestTempo.bpm(), kFastestTempo.bpm());
     beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
     begin_tempo();
+    is_tempo_chosen_ = true;
+    forget_pulses();
     pointer_.expect_tempo(in_range);
     if (std::abs(wrapped(position_)) < 0.25) {
         pointer_.expect_beat();
@@ -342,7 +446,7 @@ void BeatTracker::change_tempo(double bpm) noexcept {
 
 // Allows any tempo; those of the hinted dance are likelier.
 void BeatTracker::release_tempo() noexcept {
-    is_tempo_held_ = false;
+    is_tempo_held_ = is_tempo_chosen_ = false;
     const DanceInfo* const dance = dances_ ? dances_->find(hint_) : nullptr;
     if (dance != nullptr) {
         pointer_.expect_range(dance->lowest.bpm(), dance->highest.bpm());
@@ -366,6 +470,32 @@ void BeatTracker::change_octave(double factor) noexcept {
     forget_bars();
 }
 
+// This pulse becomes the beat. Where its count 1 is has to be found anew.
+void BeatTracker::take_pulse(const RivalPulse& rival) noexcept {
+    const double position = rival.rate * position_ + rival.offset;
+    const double phase = position - std::floor(position);
+    position_ = std::floor(position_) + phase;
+    beats_per_hop_ *= rival.rate;
+    begin_tempo();
+    pointer_.believe(beats_per_hop_ * kHopsPerSecond * 60.0, phase);
+    hops_apart_ = 0;
+    margins_.reset();
+    bars_.reset();
+    forget_bars();
+    forget_pulses();
+}
+
+// The likeliest of the pulses with three beats for two or two for three becomes the beat.
+void BeatTracker::take_three_two() noexcept {
+    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
+    const RivalPulse rival = margins_.likeliest([bpm](const RivalPulse& pulse) {
+        return is_followed(Bpm(bpm * pulse.rate)) &&
+               (pulse.kind == RivalKind::three_for_two || pulse.kind == RivalKind::two_for_three);
+    });
+    take_pulse(rival);
+    change_tempo(beats_per_hop_ * kHopsPerSecond * 60.0);
+}
+
 void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept {
     using Kind = AnalyzerCommand::Kind;
     const double hops_ago = to_seconds(now - command.time) * kHopsPerSecond;
@@ -382,6 +512,9 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
             break;
         case Kind::double_tempo:
             change_octave(2.0);
+            break;
+        case Kind::three_two:
+            take_three_two();
             break;
         case Kind::nudge: {
             const double hops = std::clamp(command.value, -0.5, 0.5) * kHopsPerSecond;

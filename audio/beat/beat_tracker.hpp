@@ -8,9 +8,12 @@
 
 #include "audio/beat/analyzer_command.hpp"
 #include "audio/beat/bar_belief.hpp"
+#include "audio/beat/beat_confidence.hpp"
 #include "audio/beat/beat_pointer.hpp"
 #include "audio/beat/network/bar_network.hpp"
 #include "audio/beat/network/beat_network.hpp"
+#include "audio/beat/pulse_belief.hpp"
+#include "audio/beat/rival_pulses.hpp"
 #include "audio/beat/tap_tempo.hpp"
 #include "base/beat_grid.hpp"
 #include "base/music_state.hpp"
@@ -29,7 +32,8 @@ struct TrackedHop {
     std::span<const float> mel_magnitudes;
     bool has_evidence = false;  ///< whether `evidence` comes from a network
     int evidence_lag = 0;       ///< hops by which the evidence is late
-    BeatEvidence evidence;      ///< about the hop `evidence_lag` hops ago
+    BeatEvidence evidence;      ///< of all networks, about the hop `evidence_lag` hops ago
+    BeatEvidence own_evidence;  ///< likewise, of our own: what the network for bars learnt from
     int quiet_hops = 0;         ///< hops in a row, up to this one, too soft to hold a beat
     bool is_silent = false;     ///< silence: the tempo runs on, confidence falls
 };
@@ -44,9 +48,10 @@ class BeatTracker {
     /// Call reset() before the first hop if a network was set.
     BeatTracker() = default;
 
-    /// Uses this network for bars from the next reset() on; null: bars follow from downbeats and
-    /// changes of the sound alone. Real-time: no.
-    void set_bar_network(std::shared_ptr<const BarNetwork> network);
+    /// From the next reset() on: its networks for bars and for the metre, and how sure beats are.
+    /// Null, or without such a network: bars follow from downbeats and changes of the sound alone,
+    /// and the pointer alone decides on the metre. Real-time: no.
+    void set_network(const BeatNetwork* network);
 
     /// Sets the dances that hint_genre refers to, for their tempi; null: hints have no effect.
     /// Real-time: no.
@@ -54,10 +59,19 @@ class BeatTracker {
 
     /// Sets the tempo that the file itself tells (BeatPointerConfig::told_bpm), from the next
     /// reset() on; 0: none. Real-time: no.
-    void expect_told(double bpm) { pointer_ = BeatPointer({.told_bpm = bpm}); }
+    void expect_told(double bpm) {
+        pointer_ = BeatPointer({.told_bpm = bpm});
+        is_tempo_told_ = bpm > 0.0;
+    }
 
     /// One hop; sets grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
+
+    /// Of the present beat: what its confidence follows from.
+    [[nodiscard]] ConfidenceFeatures features() const noexcept {
+        return confidence_features(
+            margins_, pulses_.right(), 60.0 * kHopsPerSecond * beats_per_hop_, on_beats_);
+    }
 
     /// One hop inside a gap of the audio: sets the grid, which runs on.
     void advance_blind(HopIndex hop, MusicState& state) noexcept RAKS_NONBLOCKING;
@@ -79,6 +93,7 @@ class BeatTracker {
     struct HopEvidence {
         float strength = 0.0F;
         BeatEvidence evidence;
+        float own_beat = 0.0F;  // of our own networks
     };
 
     void run_commands(StreamTime now) noexcept;
@@ -86,14 +101,20 @@ class BeatTracker {
     void change_tempo(double bpm) noexcept;
     void release_tempo() noexcept;
     void change_octave(double factor) noexcept;
+    void take_three_two() noexcept;
+    void take_pulse(const RivalPulse& rival) noexcept;
     void set_position(double phase) noexcept;
     void track_tempo(const TrackedHop& hop) noexcept;
     void begin_tempo() noexcept;
     void keep_tempo(double moved) noexcept;
     void run_alone() noexcept;
     void follow(const PointerEstimate& estimate, int lag_hops) noexcept;
+    void weigh_rivals(const TrackedHop& hop) noexcept;
     void track_bars(const TrackedHop& hop) noexcept;
     void forget_bars() noexcept;
+    void track_pulses(const TrackedHop& hop) noexcept;
+    void forget_pulses() noexcept;
+    [[nodiscard]] BeatEvidence as_believed(const BeatEvidence& evidence, int lag) const noexcept;
     void rate_beat(const TrackedHop& hop) noexcept;
     void rate_confidence(const TrackedHop& hop) noexcept;
     void publish(HopIndex hop, MusicState& state) const noexcept;
@@ -109,6 +130,8 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // tempo; 120 BPM at first
     double nudge_hops_ = 0.0;          // the user's shift of the beats; positive: later
     bool is_tempo_held_ = false;
+    bool is_tempo_told_ = false;    // by the file
+    bool is_tempo_chosen_ = false;  // by the user, who knows the metre
     std::shared_ptr<const DanceList> dances_;
     DanceId hint_ = DanceId::none;     // dance of the last hint_genre
     double steady_rate_ = 1.0 / 50;    // mean beats a hop over the last beats, corrections included
@@ -127,12 +150,22 @@ class BeatTracker {
     float change_ = 0.0F;                      // of the sound, at the beat before
     std::optional<BarEvidence> bar_evidence_;  // of the beat before
 
+    // The metre.
+    PulseInput pulse_input_;
+    std::optional<PulseNetworkStream> pulse_stream_;
+    PulseBelief pulses_;
+    long pulse_beat_ = 0;  // number of the beat whose sound is collected
+
     // Confidence.
     std::array<HopEvidence, kRecent> recent_{};  // ring, by hop
     long rated_beat_ = 0;                        // number of the last rated beat
     int beats_rated_ = 0;                        // at most 8
     float contrast_ = 0.0F;                      // evidence on the beats, running mean
     float mass_ = 0.0F;                          // PointerEstimate::mass, smoothed
+    float on_beats_ = 0.0F;                      // contrast_ as a share of full evidence
+    PulseMargins margins_;                       // of the grid over its rivals
+    ConfidenceModel confidence_model_;
+    BeatVerdict verdict_;  // what they say
     float confidence_ = 0.0F;
 
     // Announcements.

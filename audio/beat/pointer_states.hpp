@@ -15,7 +15,11 @@ namespace raks::audio {
 struct BeatPointerConfig {
     double lowest_bpm = kSlowestTempo.bpm();   ///< slowest tempo
     double highest_bpm = kFastestTempo.bpm();  ///< fastest tempo
-    int tempi = 76;                            ///< number of tempi, log-spaced between the two
+    int tempi = 86;                            ///< number of tempi, log-spaced between the two
+    /// Share of beats of three parts in the prior. At a beat the number of parts changes with
+    /// probability `parts_change`.
+    double in_three = 0.25;
+    double parts_change = 1e-3;  ///< see in_three
     /// A tempo change by ratio r at a beat has probability proportional to exp(-stiffness |r - 1|).
     double stiffness = 100.0;
     double trust = 0.7;           ///< exponent of a hop's onset strength when it is alone
@@ -34,11 +38,28 @@ struct BeatPointerConfig {
 /// Hops in a beat of this tempo; its own inverse: tempo of a beat of that many hops.
 constexpr double hops_of(double bpm) noexcept { return 60.0 * kHopsPerSecond / bpm; }
 
+/// Likelihoods of a hop's evidence where a beat, its half, a third of it or none of these is:
+/// probabilities over how often each is found, to the power of the trust, as neighbouring hops are
+/// not independent.
+struct EvidenceLikelihood {
+    float other = 1.0F;
+    float beat = 1.0F;
+    float half = 1.0F;
+    float third = 1.0F;
+};
+[[nodiscard]] EvidenceLikelihood likelihood_of(const BeatEvidence& evidence,
+                                               double trust = BeatPointerConfig().network_trust);
+
+/// 1 at an event, falling off over the hops around it: as wide as networks' evidence of one.
+[[nodiscard]] float event_bump(double hops_away) noexcept;
+
 /// State space of tempo x beat phase (Krebs, Boeck, Widmer 2015, "An efficient state space model
 /// for joint tempo and meter tracking"). A state is one hop of a beat of one tempo: the phase moves
-/// on by one state a hop, and the tempo may change at a beat only. The likelihood of a hop is
-/// exp(trust x onset strength x template), with a template of zero mean: 1 on the beat, 0.35 on the
-/// half, 0.12 on the quarters; times what a network says of it.
+/// on by one state a hop, and the tempo may change at a beat only. Each tempo exists twice, with
+/// beats of two parts and with beats of three, as in compound metres: or else the thirds of a
+/// dotted beat would be taken for halves of a faster one. The likelihood of a hop is exp(trust x
+/// onset strength x template), with a template of zero mean: 1 on the beat, 0.35 on the half and
+/// 0.12 on the quarters, or 0.35 on the thirds; times what networks say of it.
 ///
 /// Immutable. Threads: any may read. Real-time: all but the constructor.
 class PointerStates {
@@ -47,6 +68,7 @@ class PointerStates {
     struct Tempo {
         int first = 0;  ///< index of its first state, which is the beat
         int hops = 0;   ///< number of its states, one for each hop of a beat
+        int parts = 2;  ///< of its beats, 2 or 3
         /// Index of the state at a position, 0 to hops - 1.
         [[nodiscard]] std::size_t state(int position) const noexcept {
             return static_cast<std::size_t>(first) + static_cast<std::size_t>(position);
@@ -56,7 +78,7 @@ class PointerStates {
     /// Lays out the states.
     explicit PointerStates(const BeatPointerConfig& config);
 
-    /// From the fastest to the slowest.
+    /// Those of two parts from the fastest to the slowest, then those of three.
     [[nodiscard]] std::span<const Tempo> tempi() const noexcept { return tempi_; }
     /// Probability of each state while nothing is known.
     [[nodiscard]] std::span<const float> prior() const noexcept { return prior_; }
@@ -85,16 +107,17 @@ class PointerStates {
                const BeatEvidence& evidence) const noexcept RAKS_NONBLOCKING;
 
  private:
-    void add_tempo(int hops);
+    void add_tempo(int hops, int parts);
     void add_transitions(const Tempo& from);
 
     BeatPointerConfig config_;
     std::vector<Tempo> tempi_;
     std::vector<float> prior_;
-    std::vector<float> template_;    // of onset strength, of every state
-    std::vector<float> on_beat_;     // how near a state is to the beat: 1 on it
-    std::vector<float> on_half_;     // the same for the middle between two beats
-    std::vector<float> transition_;  // tempo from x tempo to, row-major
+    std::vector<float> template_;     // of onset strength, of every state
+    std::vector<float> on_beat_;      // how near a state is to the beat: 1 on it
+    std::vector<float> on_part_;      // the same for the middle between two beats, or its thirds
+    std::size_t first_in_three_ = 0;  // the first state of beats of three parts
+    std::vector<float> transition_;   // tempo from x tempo to, row-major
 };
 
 }  // namespace raks::audio

@@ -32,6 +32,12 @@ constexpr std::array<BeatMeasureInfo, kBeatMeasures> kInfo = {{
     {"Acc2", Unit::share, Over::mean},
     {"bias_ms", Unit::milliseconds, Over::median},
     {"abspred_ms", Unit::milliseconds, Over::median},
+    {"octave", Unit::share, Over::mean},
+    {"3:2", Unit::share, Over::mean},
+    {"off-beat", Unit::share, Over::mean},
+    {"third off", Unit::share, Over::mean},
+    {"sure, wrong", Unit::share, Over::mean},
+    {"sure, wrong 1", Unit::share, Over::mean},
 }};
 
 // The beats from kTrim on.
@@ -49,6 +55,19 @@ std::vector<double> downbeats(const BeatList& beats) {
         }
     }
     return times;
+}
+
+// Share of wrong ones among the claims of high confidence; empty where there are none.
+std::optional<double> sure_and_wrong(const std::vector<Claim>& claims) {
+    constexpr float kSure = 0.8F;
+    std::size_t sure = 0;
+    std::size_t wrong = 0;
+    for (const Claim& claim : claims) {
+        sure += claim.confidence > kSure ? 1 : 0;
+        wrong += claim.confidence > kSure && !claim.is_right ? 1 : 0;
+    }
+    return sure == 0 ? std::nullopt
+                     : std::optional(static_cast<double>(wrong) / static_cast<double>(sure));
 }
 
 std::optional<double> in_milliseconds(std::optional<double> seconds) {
@@ -93,7 +112,35 @@ BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate) 
     scores[M::tempo_exact] = tempo.is_exact ? 1.0 : 0.0;
     scores[M::tempo_octave] = tempo.is_octave ? 1.0 : 0.0;
     scores[M::bias] = in_milliseconds(median_bias(right, beats));
+    const BeatFault fault = fault_of(right, beats);
+    scores[M::octave] = fault.is_octave ? 1.0 : 0.0;
+    scores[M::three_two] = fault.is_three_two ? 1.0 : 0.0;
+    scores[M::off_beat] = fault.is_off_beat ? 1.0 : 0.0;
+    scores[M::third_off] = fault.is_third_off ? 1.0 : 0.0;
+    const BeatClaims claims = claims_of(reference, estimate);
+    scores[M::sure_and_wrong] = sure_and_wrong(claims.beats);
+    scores[M::sure_wrong_bar] = sure_and_wrong(claims.bars);
     return scores;
+}
+
+BeatClaims claims_of(const BeatList& reference, const BeatEstimate& estimate) {
+    const BeatList& beats = estimate.beats;
+    BeatClaims claims;
+    if (beats.confidences.empty()) {
+        return claims;
+    }
+    const std::size_t first = beats.times.size() - trimmed(beats.times).size();
+    const BeatTimes times = BeatTimes(beats.times).subspan(first);
+    claims.beats =
+        beat_claims(trimmed(reference.times), times, std::span(beats.confidences).subspan(first));
+    if (!beats.bar_confidences.empty() && !reference.bar_positions.empty()) {
+        claims.bars = bar_claims(reference.times,
+                                 reference.bar_positions,
+                                 times,
+                                 std::span(beats.bar_positions).subspan(first),
+                                 std::span(beats.bar_confidences).subspan(first));
+    }
+    return claims;
 }
 
 BeatSummary summarize(std::span<const BeatScores> excerpts) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "audio/evaluate/beat_faults.hpp"
+
 /// One tracker's result on one excerpt, by every measure, and on many.
 namespace raks::audio {
 
@@ -16,6 +18,10 @@ struct BeatList {
     std::vector<double> times;  ///< seconds, ascending
     /// One a beat: 1 = downbeat, 0 = unknown. Empty: no bar positions are known.
     std::vector<int> bar_positions;
+    /// One a beat, [0, 1]: how sure the tracker is of the beat, and of its bar position. Empty: it
+    /// does not say.
+    std::vector<float> confidences = {};
+    std::vector<float> bar_confidences = {};  ///< see confidences
 };
 
 /// What a tracker says of one excerpt.
@@ -43,9 +49,15 @@ enum class BeatMeasure : std::uint8_t {
     tempo_octave,      ///< accuracy 2: 0 or 1
     bias,              ///< median_bias in milliseconds
     prediction_error,  ///< median_error of the predictions in milliseconds
+    octave,            ///< BeatFault::is_octave: 0 or 1
+    three_two,         ///< BeatFault::is_three_two
+    off_beat,          ///< BeatFault::is_off_beat
+    third_off,         ///< BeatFault::is_third_off
+    sure_and_wrong,    ///< share of the beats announced at a confidence over 0.8 that are wrong
+    sure_wrong_bar,    ///< share of the bar positions told at over 0.8 that are wrong
 };
 /// How many measures there are.
-inline constexpr std::size_t kBeatMeasures = 15;
+inline constexpr std::size_t kBeatMeasures = 21;
 
 /// How a measure is named, summed up over excerpts and shown.
 struct BeatMeasureInfo {
@@ -78,6 +90,14 @@ class BeatScores {
 /// common toolboxes: a tracker may need the first seconds. Downbeats are the beats at bar position
 /// 1, scored by the F-measure within 70 ms; predictions are scored within 35 ms.
 [[nodiscard]] BeatScores score_beats(const BeatList& reference, const BeatEstimate& estimate);
+
+/// What a tracker said of beats and of bar positions from 5 s on, with its confidence; empty where
+/// it gives none.
+struct BeatClaims {
+    std::vector<Claim> beats;
+    std::vector<Claim> bars;
+};
+[[nodiscard]] BeatClaims claims_of(const BeatList& reference, const BeatEstimate& estimate);
 
 /// One tracker over many excerpts.
 struct BeatSummary {

@@ -298,10 +298,7 @@ class TallyMaker {
             total += std::exp(static_cast<double>(logs[c]));
         }
         const double chance = std::exp(static_cast<double>(logs[decided])) / total;
-        auto& bins = result_.reliability;
-        // A probability of exactly 1 belongs to the last tenth.
-        const auto tenth = static_cast<std::size_t>(chance * static_cast<double>(bins.size()));
-        GenreTally::Bin& bin = bins[std::min(bins.size() - 1, tenth)];
+        GenreTally::Bin& bin = result_.reliability[reliability_bin(static_cast<float>(chance))];
         bin.weight += weight;
         bin.chance += weight * chance;
         bin.right += is_right ? weight : 0.0;

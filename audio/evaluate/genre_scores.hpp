@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio/evaluate/piece_features.hpp"
+#include "audio/evaluate/reliability.hpp"
 #include "audio/genre/genre_fusion.hpp"
 #include "audio/genre/genre_model.hpp"
 
@@ -51,14 +52,14 @@ struct GenreTally {
     std::vector<std::vector<double>> confusion;
     std::vector<std::size_t> pieces;  ///< by class
     double calibration_error = 0.0;   ///< expected calibration error of the best class' probability
-    /// Windows whose best probability lies in one tenth of [0, 1]: sums of weight, of weight x
-    /// probability, and of the weight of the windows that are classified right.
+    /// Windows whose best probability lies in one bin of reliability.hpp: sums of weight, of weight
+    /// x probability, and of the weight of the windows that are classified right.
     struct Bin {
         double weight = 0.0;  ///< sum of the windows' weights
         double chance = 0.0;  ///< sum of weight x probability
         double right = 0.0;   ///< sum of the weights of right windows
     };
-    std::array<Bin, 10> reliability{};  ///< by tenth, for the calibration curve
+    std::array<Bin, kReliabilityBins> reliability{};  ///< for the calibration curve
 };
 
 /// Tallies the windows of length kGenreWindows[`window`]. `log_chances`: fused ln probabilities,

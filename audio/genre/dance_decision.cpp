@@ -11,14 +11,20 @@ namespace {
 
 // ln probability of what is out of the question.
 constexpr float kRuledOut = -20.0F;
-// What is known beforehand of a dance whose bars are others than those that are heard: nothing,
-// once the beat has been sure and heard for so long.
+// Of the grid: beats and bars are sure from here on.
 constexpr float kSureBeat = 0.6F;
+constexpr float kSureBars = 0.7F;
+// Music must have been heard for so long before its metre rules a dance out.
 constexpr std::int64_t kMetreHops = 1000;
 
 bool is_in_threes(int beats_per_bar) noexcept { return beats_per_bar % 3 == 0; }
 
 }  // namespace
+
+bool contradicts(const BeatGrid& grid, int bars) noexcept {
+    return bars > 0 && grid.confidence > kSureBeat && grid.bar_confidence > kSureBars &&
+           is_in_threes(bars) != is_in_threes(grid.beats_per_bar);
+}
 
 DanceDecision::DanceDecision(std::size_t classes,
                              const ClassBars& bars,
@@ -56,6 +62,7 @@ std::size_t DanceDecision::weigh(const Values& heard,
     log_chances_ = heard;
     heard_ = best();
     add_prior(heard_hops, grid);
+    rule_out_metres(heard_hops, grid);
     const std::size_t likeliest = best();
     return std::exp(log_chances_[likeliest]) < rules_.least_chance ? classes_ - 1 : likeliest;
 }
@@ -74,17 +81,29 @@ void DanceDecision::settle(const Values& heard,
 
 // Bars of another metre than a dance's take its prior away.
 void DanceDecision::add_prior(std::int64_t heard_hops, const BeatGrid& grid) noexcept {
-    const bool is_metre_known = heard_hops >= kMetreHops && grid.confidence > kSureBeat;
     bool is_changed = false;
     for (std::size_t c = 0; c < classes_; ++c) {
-        const bool is_forbidden = is_metre_known && prior_[c] < kCertainPrior && bars_[c] > 0 &&
-                                  is_in_threes(bars_[c]) != is_in_threes(grid.beats_per_bar);
+        const bool is_forbidden =
+            heard_hops >= kMetreHops && prior_[c] < kCertainPrior && contradicts(grid, bars_[c]);
         if (prior_[c] != 0.0F && !is_forbidden) {
             log_chances_[c] += prior_[c];
             is_changed = true;
         }
     }
     // Without a prior the values stay as they are, to the bit.
+    if (is_changed) {
+        normalize_logs(std::span(log_chances_).first(classes_));
+    }
+}
+
+void DanceDecision::rule_out_metres(std::int64_t heard_hops, const BeatGrid& grid) noexcept {
+    bool is_changed = false;
+    for (std::size_t c = 0; heard_hops >= kMetreHops && c + 1 < classes_; ++c) {
+        if (prior_[c] < kCertainPrior && contradicts(grid, bars_[c])) {
+            log_chances_[c] = kRuledOut;
+            is_changed = true;
+        }
+    }
     if (is_changed) {
         normalize_logs(std::span(log_chances_).first(classes_));
     }

@@ -15,6 +15,10 @@ namespace raks::audio {
 /// it. Far more than what is heard can ever say.
 inline constexpr float kCertainPrior = 1e4F;
 
+/// Whether the music has surely other bars than a dance of `bars` beats (0: any) can be danced to:
+/// in threes where the dance is not, or the other way round.
+[[nodiscard]] bool contradicts(const BeatGrid& grid, int bars) noexcept;
+
 /// When another class is shown than before.
 struct DecisionRules {
     float margin = 0.2F;            ///< in probability, by which another genre must lead
@@ -29,7 +33,8 @@ struct DecisionRules {
 using ClassBars = std::array<int, PatternNetwork::kMaxClasses>;
 
 /// Keeps the class that is shown: what is known beforehand is added to what is heard, and another
-/// class is shown only when it leads by a margin for some time. Sound without a beat keeps it.
+/// class is shown only when it leads by a margin for some time. Sound without a beat keeps it. A
+/// dance whose metre the music contradicts is not shown, unless it is certain beforehand.
 /// Threads: one. Real-time: yes.
 class DanceDecision {
  public:
@@ -71,6 +76,7 @@ class DanceDecision {
                                     std::int64_t heard_hops,
                                     const BeatGrid& grid) noexcept;
     void add_prior(std::int64_t heard_hops, const BeatGrid& grid) noexcept;
+    void rule_out_metres(std::int64_t heard_hops, const BeatGrid& grid) noexcept;
     void challenge(std::size_t best, const BeatGrid& grid) noexcept;
     [[nodiscard]] std::size_t best() const noexcept;
 

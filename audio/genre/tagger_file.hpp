@@ -11,8 +11,8 @@
 /// them).
 namespace raks::audio {
 
-/// First bytes of the file.
-inline constexpr std::string_view kTaggerFormat = "raks-tagger\n";
+/// First line of the file.
+inline constexpr std::string_view kTaggerFormat = "raks-tagger";
 inline constexpr int kTaggerVersion = 1;  ///< the one version
 
 /// Reads and checks the weights. Errors, one line without the file's name: not such a file, a newer

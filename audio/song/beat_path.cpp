@@ -11,7 +11,8 @@ namespace raks::audio {
 namespace {
 
 constexpr std::uint8_t kRestart = 255;  // in place of the number of a tempo
-static_assert(kRestart > 128);          // more tempi than BeatPointerConfig asks for
+static_assert(kRestart >
+              200);  // more tempi than BeatPointerConfig asks for, in two and three parts
 
 constexpr std::int64_t kAhead = 5;  // hops that a beat may lie before the song
 

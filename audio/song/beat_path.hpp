@@ -11,7 +11,8 @@ namespace raks::audio {
 /// What is known of one hop of a song for its beats.
 struct SongHop {
     float onset_strength = 0.0F;  ///< Onset::strength
-    BeatEvidence evidence;        ///< a network's, of this hop; all 0 without one
+    BeatEvidence evidence;        ///< of all networks, of this hop; all 0 without one
+    BeatEvidence own_evidence;    ///< likewise, of our own (TrackedHop)
     bool has_evidence = false;    ///< whether a network gave it
     /// Too soft for too long to hold a beat: the pointer only moves on.
     bool is_blind = false;

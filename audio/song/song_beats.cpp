@@ -5,7 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "audio/beat/beat_confidence.hpp"
 #include "audio/beat/beat_limits.hpp"
+#include "audio/song/song_margins.hpp"
+#include "audio/song/song_pulses.hpp"
 
 namespace raks::audio {
 namespace {
@@ -15,6 +18,7 @@ constexpr std::size_t kRatedBeats = 4;  // over which the evidence is averaged, 
 // Evidence around a beat: of two hops on either side.
 struct BeatRating {
     float beat = 0.0F;      // greatest
+    float own = 0.0F;       // greatest of our own networks
     float downbeat = 0.0F;  // greatest
     float strength = 0.0F;  // mean onset strength
 };
@@ -29,6 +33,7 @@ BeatRating rate(const SongRecording& song, double hop) {
         }
         const SongHop& here = song.hops[static_cast<std::size_t>(at)];
         rating.beat = std::max(rating.beat, here.evidence.beat);
+        rating.own = std::max(rating.own, here.own_evidence.beat);
         rating.downbeat = std::max(rating.downbeat, here.evidence.downbeat);
         rating.strength += here.onset_strength / (2 * kAround + 1);
     }
@@ -52,7 +57,7 @@ class Certainty {
     }
 
     [[nodiscard]] float of(const BeatRating& rating, double hop) const {
-        const float by_network = share_of(rating.beat, kLeastEvidence, kFullEvidence);
+        const float by_network = share_of(rating.own, kLeastEvidence, kFullEvidence);
         const float by_onset = share_of(rating.strength, kLeastStrength, kFullStrength);
         if (!has_network_) {
             return by_onset;
@@ -88,7 +93,7 @@ class BeatSounds {
             changes_.add(song_.mel_of(at));
             input_.add_hop(song_.mel_of(at),
                            (static_cast<double>(hop) - begin) / (end - begin),
-                           song_.hops[at].evidence);
+                           song_.hops[at].own_evidence);
         }
         BarLikelihood likelihood = BarLikelihood::of_change(changes_.next_beat());
         if (stream_ && song_.hops.front().has_evidence) {
@@ -127,12 +132,16 @@ std::vector<float> confidences(const std::vector<float>& certain) {
 }  // namespace
 
 std::vector<SongBeat> track_song(const SongRecording& song,
-                                 std::shared_ptr<const BarNetwork> bars,
+                                 const BeatNetwork* network,
                                  double told_bpm) {
     const PointerStates states({.told_bpm = told_bpm});
     std::vector<PathBeat> path = find_beats(song.hops, states);
     smooth_beats(path);
-    BeatSounds sounds(song, std::move(bars));
+    const std::vector<float> right = correct_pulse(
+        song, network != nullptr && told_bpm <= 0.0 ? network->pulses() : nullptr, path);
+    BeatSounds sounds(song, network != nullptr ? network->bars() : nullptr);
+    const ConfidenceModel confidence =
+        network != nullptr ? network->confidence() : ConfidenceModel();
     const Certainty certainty(song);
     std::vector<BarLikelihood> likelihoods;
     std::vector<float> certain;
@@ -150,13 +159,26 @@ std::vector<SongBeat> track_song(const SongRecording& song,
     }
     const std::vector<BarPlace> places = find_bars(likelihoods);
     const std::vector<float> sure = confidences(certain);
+    const bool has_network = !song.hops.empty() && song.hops.front().has_evidence;
+    const SongMargins song_margins(song, path);
     std::vector<SongBeat> beats;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const double hop = std::max(0.0, path[i].hop + kOnsetLagHops);
-        beats.push_back({stream_time_from_seconds(hop / kHopsPerSecond),
-                         places[i],
-                         sure[i],
-                         path[i].is_restart});
+        SongBeat beat{.time = stream_time_from_seconds(hop / kHopsPerSecond),
+                      .place = places[i],
+                      .confidence = sure[i],
+                      .rival = {},
+                      .parts = 2,
+                      .is_restart = path[i].is_restart};
+        if (has_network && path.size() > 1) {
+            const PulseMargins margins = song_margins.around(i);
+            const BeatVerdict verdict =
+                judge_beat(confidence, margins, right[i], song_margins.bpm(i), sure[i]);
+            beat.confidence = verdict.confidence;
+            beat.rival = {verdict.rival_rate * song_margins.bpm(i), verdict.rival};
+            beat.parts = margins.for_three() > 0.0F ? 3 : 2;
+        }
+        beats.push_back(beat);
     }
     return beats;
 }
@@ -178,6 +200,7 @@ BeatGrid grid_at(const std::vector<SongBeat>& beats, StreamTime time) {
     grid.beats_per_bar = beat.place.beats_per_bar;
     grid.bar_origin = Beats(static_cast<double>(number - beat.place.position));
     grid.confidence = beat.confidence;
+    grid.bar_confidence = beat.place.confidence;
     return grid;
 }
 

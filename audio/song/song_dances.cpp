@@ -295,16 +295,21 @@ std::size_t begin_of(const ClassChange& change,
 // The metre of most of a stretch, where its beat is mostly sure.
 BeatGrid grid_of(std::span<const MusicState> states) {
     std::array<std::size_t, 16> bars{};
+    float bar_confidence = 0.0F;
+    std::size_t sure = 0;
     for (const MusicState& state : states) {
         if (!state.is_silent && state.grid.confidence > kSureBar && state.grid.beats_per_bar > 0) {
             ++bars[std::min<std::size_t>(bars.size() - 1,
                                          static_cast<std::size_t>(state.grid.beats_per_bar))];
+            bar_confidence += state.grid.bar_confidence;
+            ++sure;
         }
     }
     const auto most = std::max_element(bars.begin(), bars.end());
     BeatGrid grid;
     grid.confidence = 2 * *most > states.size() ? 1.0F : 0.0F;
     grid.beats_per_bar = static_cast<int>(most - bars.begin());
+    grid.bar_confidence = sure > 0 ? bar_confidence / static_cast<float>(sure) : 0.0F;
     return grid;
 }
 

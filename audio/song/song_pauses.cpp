@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kUnder = 30.0F;          // dB under the loudest of late: quiet
 constexpr float kLeastLevel = -72.0F;    // dBFS: quiet whatever is around
-constexpr std::size_t kBlock = 100;      // hops of which the loudest is kept
+constexpr std::size_t kLoudestOf = 100;  // hops of which the loudest is kept
 constexpr std::size_t kBefore = 2;       // blocks before
 constexpr float kFarUnder = 50.0F;       // dB under the loudest of the song: quiet in any case
 constexpr std::size_t kShortestGap = 3;  // of a gap: shorter dips are the ripple of low notes
@@ -30,9 +30,9 @@ constexpr float kNearPlayed = 6.0F;
 
 // By block: the level under which a hop is quiet.
 std::vector<float> quiet_levels(std::span<const HopSound> sounds) {
-    std::vector<float> loudest(sounds.size() / kBlock + 1, -120.0F);
+    std::vector<float> loudest(sounds.size() / kLoudestOf + 1, -120.0F);
     for (std::size_t i = 0; i < sounds.size(); ++i) {
-        loudest[i / kBlock] = std::max(loudest[i / kBlock], sounds[i].level);
+        loudest[i / kLoudestOf] = std::max(loudest[i / kLoudestOf], sounds[i].level);
     }
     const float song = *std::max_element(loudest.begin(), loudest.end());
     std::vector<float> quiet(loudest.size());
@@ -68,7 +68,7 @@ class QuietHops {
 
  private:
     [[nodiscard]] bool is_under_level(std::size_t hop) const {
-        return sounds_[hop].level < levels_[hop / kBlock];
+        return sounds_[hop].level < levels_[hop / kLoudestOf];
     }
 
     void add(std::size_t hop) {

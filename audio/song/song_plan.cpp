@@ -31,8 +31,13 @@ void write_beats(const std::vector<SongBeat>& beats, std::vector<MusicState>& st
         state.has_beat = state.has_predicted = false;
         if (beats.size() >= 2) {
             state.grid = grid_at(beats, state.time);
+            const auto& beat = beats[static_cast<std::size_t>(state.grid.anchor_beat.count())];
+            state.rival = beat.rival;
+            state.beat_parts = beat.parts;
         } else {
             state.grid.confidence = 0.0F;
+            state.rival = {};
+            state.beat_parts = MusicState().beat_parts;
         }
     }
     StreamTime last{std::chrono::seconds(-10)};
@@ -45,7 +50,8 @@ void write_beats(const std::vector<SongBeat>& beats, std::vector<MusicState>& st
         }
         last = beat.time;
         states[hop].has_beat = true;
-        states[hop].beat = {beat.time, beat.place.position + 1, beat.confidence};
+        states[hop].beat = {
+            beat.time, beat.place.position + 1, beat.confidence, beat.place.confidence};
         MusicState& before = states[hop_at(beat.time - kPredictedLead, states.size())];
         before.has_predicted = true;
         before.predicted = beat.time;
@@ -193,7 +199,7 @@ SongPlan SongAnalyzer::finish() {
         return plan;
     }
     const auto& network = state.config.beat_network;
-    plan.beats = track_song(song, network ? network->bars() : nullptr, state.config.told_bpm);
+    plan.beats = track_song(song, network.get(), state.config.told_bpm);
     plan.states = std::move(song.states);
     write_beats(plan.beats, plan.states);
     write_foresight(plan.beats, plan.states);

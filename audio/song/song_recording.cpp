@@ -17,12 +17,15 @@ void SongRecorder::on_state(const MusicState& state) noexcept {
     recording_.states.push_back(state);
     recording_.hops.push_back({.onset_strength = tracked.onset_strength,
                                .evidence = {},
+                               .own_evidence = {},
                                .has_evidence = tracked.has_evidence,
                                .is_blind = tracked.is_silent || tracked.quiet_hops > kQuietHops});
     // The network's evidence is about an earlier hop.
     const auto lag = static_cast<std::size_t>(tracked.evidence_lag);
     if (tracked.has_evidence && recording_.hops.size() > lag) {
-        recording_.hops[recording_.hops.size() - 1 - lag].evidence = tracked.evidence;
+        SongHop& then = recording_.hops[recording_.hops.size() - 1 - lag];
+        then.evidence = tracked.evidence;
+        then.own_evidence = tracked.own_evidence;
     }
     recording_.mel.insert(
         recording_.mel.end(), tracked.mel_magnitudes.begin(), tracked.mel_magnitudes.end());

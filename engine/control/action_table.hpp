@@ -33,6 +33,7 @@ enum class Action : std::uint8_t {
     tap_tempo,
     half_tempo,
     double_tempo,
+    three_two,
     change_tempo,
     hold_tempo,
     release_tempo,
@@ -71,7 +72,7 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 45;
+inline constexpr std::size_t kActionCount = 46;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

@@ -77,6 +77,7 @@ std::span<const LiveActions::Entry> LiveActions::entries() noexcept {
         Entry{Action::tap_tempo, &LiveActions::tap_tempo},
         Entry{Action::half_tempo, &LiveActions::half_tempo},
         Entry{Action::double_tempo, &LiveActions::double_tempo},
+        Entry{Action::three_two, &LiveActions::three_two},
         Entry{Action::change_tempo, &LiveActions::change_tempo},
         Entry{Action::hold_tempo, &LiveActions::hold_tempo},
         Entry{Action::release_tempo, &LiveActions::release_tempo},
@@ -158,7 +159,8 @@ void LiveActions::change_latency(double milliseconds) {
 }
 
 void LiveActions::tap_tempo(double) {
-    // A tapped tempo replaces the one asked for by steps. The same holds for half and double tempo.
+    // A tapped tempo replaces the one asked for by steps. The same holds for other ways to
+    // change it.
     wished_tempo_.reset();
     command(AnalyzerKind::tap);
 }
@@ -171,6 +173,11 @@ void LiveActions::half_tempo(double) {
 void LiveActions::double_tempo(double) {
     wished_tempo_.reset();
     command(AnalyzerKind::double_tempo);
+}
+
+void LiveActions::three_two(double) {
+    wished_tempo_.reset();
+    command(AnalyzerKind::three_two);
 }
 
 void LiveActions::change_tempo(double bpm) {

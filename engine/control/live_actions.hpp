@@ -103,6 +103,7 @@ class LiveActions {
     void tap_tempo(double);
     void half_tempo(double);
     void double_tempo(double);
+    void three_two(double);
     void change_tempo(double bpm);
     void hold_tempo(double);
     void release_tempo(double);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "audio/beat/network/beatnet.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "audio/genre/music_tagger.hpp"
@@ -11,7 +12,9 @@
 
 namespace raks::engine {
 
-Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
+namespace {
+
+Expected<std::shared_ptr<const audio::BeatNetwork>> load_own_network(
     const std::filesystem::path& path) {
     // A file that was named must not be replaced by the shipped one when it is missing.
     if (!path.empty()) {
@@ -22,6 +25,27 @@ Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
         return fail(shipped.error());
     }
     return audio::load_network(*shipped);
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
+    const std::filesystem::path& path, BeatNetUse beatnet) {
+    auto own = load_own_network(path);
+    if (!own || beatnet == BeatNetUse::off) {
+        return own;
+    }
+    const auto shipped = data_path("models/pretrained/beatnet.weights");
+    if (!shipped) {
+        return fail(shipped.error());
+    }
+    auto weights = audio::load_beatnet(*shipped);
+    if (!weights) {
+        return fail(weights.error());
+    }
+    auto both = std::make_shared<audio::BeatNetwork>(**own);
+    both->set_beatnet(std::move(*weights));
+    return both;
 }
 
 Expected<std::shared_ptr<const audio::GenreModel>> load_genre_model(

@@ -21,10 +21,14 @@ namespace raks::engine {
 
 class KeptCorrections;  // engine/setup/dance_corrections.hpp
 
-/// Reads a beat network: the shipped one (models/trained/beats.json), or the file at `path`.
-/// Errors: a file that is missing or bad. Threads: workers.
+/// Whether BeatNet is heard beside a beat network (audio/beat/network/beatnet.hpp).
+enum class BeatNetUse { off, on };
+
+/// Reads a beat network, the shipped one (models/trained/beats.json) or the file at `path`, and
+/// BeatNet's shipped weights to be heard beside it. Errors: a file that is missing or bad. Threads:
+/// workers.
 [[nodiscard]] Expected<std::shared_ptr<const audio::BeatNetwork>> load_beat_network(
-    const std::filesystem::path& path = {});
+    const std::filesystem::path& path = {}, BeatNetUse beatnet = BeatNetUse::on);
 
 /// Reads a genre model: the shipped one (models/trained/genres.json), or the file at `path`.
 /// Errors: a file that is missing or bad. Threads: workers.

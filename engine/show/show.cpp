@@ -134,6 +134,9 @@ void draw_moment(const ShownMoment& shown,
     renderer.draw(scene, bodies.at(shown.danced, shown.music, audience(scene.camera)), target);
 }
 
+// From this confidence on the place in the bar is shown.
+constexpr float kKnownBar = 0.3F;
+
 void describe_moment(const ShownMoment& shown,
                      const DanceList& dances,
                      render::OverlayState& state) noexcept {
@@ -142,7 +145,14 @@ void describe_moment(const ShownMoment& shown,
     const Beats position = grid.beats_at(shown.danced.moment);
     state.bpm = grid.tempo.bpm();
     state.confidence = grid.confidence;
+    // Told where the two are near each other.
+    constexpr float kNearRival = 0.15F;
+    const RivalTempo& rival = shown.music.rival;
+    const bool is_near =
+        rival.probability > kNearRival && 2.0F * rival.probability > grid.confidence;
+    state.rival_bpm = is_near ? rival.bpm : 0.0;
     state.beats_per_bar = grid.beats_per_bar;
+    state.is_bar_known = grid.bar_confidence > kKnownBar;
     state.bar_position = grid.bar_position(position);
     state.is_silent = shown.music.is_silent;
     state.genre = dances.title_of(shown.music.genre);

@@ -46,6 +46,7 @@ OverlayState in_range(OverlayState state) {
     constexpr double kLongest = 1e6;  // seconds, milliseconds, pictures a second
     state.bpm = finite(state.bpm, 0.0, 999.9);
     state.confidence = finite(state.confidence, 0.0F, 1.0F);
+    state.rival_bpm = finite(state.rival_bpm, 0.0, 999.9);
     state.beats_per_bar = std::clamp(state.beats_per_bar, 1, 12);
     state.bar_position = finite(state.bar_position, 0.0, static_cast<double>(state.beats_per_bar));
     state.genre_posterior = finite(state.genre_posterior, 0.0F, 1.0F);

@@ -82,6 +82,7 @@ struct OverlayState {
     // Tempo.
     double bpm = 0.0;           ///< 0: none known
     float confidence = 0.0F;    ///< [0, 1]; below kLockedConfidence it reads "listening"
+    double rival_bpm = 0.0;     ///< the tempo that it may be instead; 0: none is near
     double bar_position = 0.0;  ///< [0, beats_per_bar); whole part lights the dot
     int beats_per_bar = 4;      ///< 1 to 12
     bool is_bar_known = true;   ///< false: beats flash, no beat is called "1"

@@ -79,9 +79,11 @@ void draw_dots(const Pen& pen, const OverlayState& state, Tempo tempo) {
 void draw_confidence(const Pen& pen, const OverlayState& state, Tempo tempo) {
     const float y = kPanel.bottom() - 32.0F;
     const float x = kPanel.x + kInner;
-    const char* const word = tempo == Tempo::silent  ? "silence"
-                             : tempo == Tempo::found ? "locked"
-                                                     : "listening";
+    const std::string word = tempo == Tempo::silent ? std::string("silence")
+                             : state.rival_bpm > 0.0
+                                 ? fmt::format("{:.0f} or {:.0f}?", state.bpm, state.rival_bpm)
+                             : tempo == Tempo::found ? std::string("locked")
+                                                     : std::string("listening");
     const Colour colour = tempo == Tempo::found ? palette::kTeal : palette::kDim;
     pen.text(pen.fonts().small, x, y, colour, word);
     const float confidence = tempo == Tempo::silent ? 0.0F : state.confidence;

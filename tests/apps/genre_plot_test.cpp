@@ -80,19 +80,5 @@ TEST(GenrePlot, a_file_in_which_nothing_was_heard_is_no_fault) {
     EXPECT_TRUE(has_text(draw_genre_plot(track, "a", 0), "nothing was heard"));
 }
 
-TEST(ShownDanceTally, counts_wrong_dances_from_5_s_and_right_ones_from_10_s_on) {
-    constexpr std::size_t kNone = 2;
-    ShownDanceTally tally(0, kNone);
-    for (int hop = 0; hop < 2'000; ++hop) {
-        const double seconds = 0.01 * hop;
-        tally.add(seconds, seconds < 2.0 ? kNone : seconds < 6.5 ? 1U : 0U);
-    }
-    const ShownDance shown = tally.result();
-    EXPECT_EQ(shown.switches, 1) << "what follows none of them is no switch";
-    EXPECT_NEAR(shown.wrong_share, 0.1, 0.001);
-    EXPECT_DOUBLE_EQ(shown.right_share, 1.0);
-    EXPECT_EQ(shown.at_end, 0U);
-}
-
 }  // namespace
 }  // namespace raks::apps

@@ -157,6 +157,43 @@ TEST(PlotData, a_sine_lights_its_band_at_its_level) {
     EXPECT_NEAR(band + 0.5, wanted, 1.5);
 }
 
+/// The SVG group of a panel.
+std::string panel_of(const std::string& svg, const std::string& id) {
+    const std::size_t begin = svg.find("<g id=\"" + id + "\">");
+    EXPECT_NE(begin, std::string::npos) << id;
+    return svg.substr(begin, svg.find("</g>", begin) - begin);
+}
+
+TEST(PlotSvg, shows_where_beats_have_three_parts_and_where_another_tempo_is_likely) {
+    PlotData data;
+    ASSERT_TRUE(data.prepare(SampleRate(32'000)));
+    data.add(std::vector<float>(10 * 32'000));
+    // From 0 to 2 s no beat, then two parts, from 5 s on three; to 4 s it may be 66 BPM.
+    for (HopIndex hop = 0; hop < 1'000; ++hop) {
+        MusicState state;
+        state.hop = hop;
+        state.time = time_of_hop(hop);
+        state.grid.tempo = Bpm(99.0);
+        state.grid.confidence = hop < 200 ? 0.0F : 0.6F;
+        state.beat_parts = hop < 500 ? 2 : 3;
+        state.rival = {66.0, hop < 400 ? 0.35F : 0.05F};
+        data.add(state);
+    }
+    data.finish(std::chrono::seconds(10));
+    const std::string svg = draw_plot(data, {.title = "a", .method = "b", .reference = {}}).value();
+    // The axis has 128.4 units a second, from 92 on.
+    const std::string parts = panel_of(svg, "beat_parts");
+    const std::string two = parts.substr(parts.find("d=\"M348.8"));
+    EXPECT_NE(parts.find("d=\"M348.8"), std::string::npos) << parts;
+    EXPECT_NE(two.find("H734.0"), std::string::npos) << parts;
+    EXPECT_NE(parts.find("d=\"M734.0"), std::string::npos) << parts;
+    const std::string tempo = panel_of(svg, "tempo");
+    EXPECT_EQ(tempo.find("M347.5"), std::string::npos) << "no beat, no other tempo";
+    EXPECT_NE(tempo.find("M350.1"), std::string::npos);
+    EXPECT_NE(tempo.find("M604.3"), std::string::npos);
+    EXPECT_EQ(tempo.find("M606.9"), std::string::npos);
+}
+
 TEST(PlotSvg, an_empty_file_still_gives_every_panel) {
     PlotData data;
     ASSERT_TRUE(data.prepare(SampleRate(48'000)));
@@ -169,6 +206,7 @@ TEST(PlotSvg, an_empty_file_still_gives_every_panel) {
                            "beats",
                            "tempo",
                            "bar",
+                           "beat_parts",
                            "confidence",
                            "energy",
                            "form",

@@ -52,21 +52,21 @@ long long instructions_of(const std::string& test) {
     return raks::test::instructions_in("raks::audio::MusicAnalyzer::process*", test, path);
 }
 
-TEST(AnalyzerCost, without_genre_is_under_40_million_instructions_a_second) {
+TEST(AnalyzerCost, without_genre_is_under_60_million_instructions_a_second) {
     if (const std::string reason = raks::test::no_instruction_count(); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
     const long long instructions = instructions_of("AnalyzerCost.DISABLED_without_genre");
-    EXPECT_LT(instructions, 800'000'000);
+    EXPECT_LT(instructions, 1'200'000'000);
     EXPECT_GT(instructions, 100'000'000) << "was it counted?";
 }
 
-TEST(AnalyzerCost, with_genre_is_under_50_million_instructions_a_second) {
+TEST(AnalyzerCost, with_genre_is_under_70_million_instructions_a_second) {
     if (const std::string reason = raks::test::no_instruction_count(); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
     const long long instructions = instructions_of("AnalyzerCost.DISABLED_with_genre");
-    EXPECT_LT(instructions, 1'000'000'000);
+    EXPECT_LT(instructions, 1'400'000'000);
     EXPECT_GT(instructions, 100'000'000) << "was it counted?";
 }
 

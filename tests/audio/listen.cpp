@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
+#include <utility>
 
+#include "audio/beat/network/beatnet.hpp"
 #include "audio/beat/network/network_file.hpp"
 #include "audio/genre/genre_file.hpp"
 #include "tests/support/dances.hpp"
@@ -67,12 +70,28 @@ GeneratedMusic music(Style style, std::vector<TempoPoint> tempo, double seconds,
     return *piece;
 }
 
+namespace {
+
+// Our own networks, and BeatNet beside them.
+std::shared_ptr<const BeatNetwork> shipped_networks() {
+    const auto own = load_network(RAKS_SOURCE_DIR "/models/trained/beats.json");
+    auto beatnet = load_beatnet(RAKS_SOURCE_DIR "/models/pretrained/beatnet.weights");
+    EXPECT_TRUE(own && beatnet) << (own ? beatnet.error() : own.error()).message;
+    if (!own || !beatnet) {
+        return nullptr;
+    }
+    auto both = std::make_shared<BeatNetwork>(**own);
+    both->set_beatnet(std::move(*beatnet));
+    return both;
+}
+
+}  // namespace
+
 AnalyzerConfig as_shipped(SampleRate rate) {
-    static const auto network = load_network(RAKS_SOURCE_DIR "/models/trained/beats.json");
-    EXPECT_TRUE(network) << network.error().message;
+    static const auto networks = shipped_networks();
     AnalyzerConfig config;
     config.sample_rate = rate;
-    config.beat_network = network ? *network : nullptr;
+    config.beat_network = networks;
     static const auto genres = load_genre(RAKS_SOURCE_DIR "/models/trained/genres.json");
     EXPECT_TRUE(genres) << genres.error().message;
     config.genre_model = genres ? *genres : nullptr;

@@ -34,7 +34,7 @@ GeneratedMusic music(Style style,
                      double seconds,
                      int hertz = 48'000);
 
-/// What the program prepares an analyzer with: the network and the genre model that are shipped,
+/// What the program prepares an analyzer with: the networks and the genre model that are shipped,
 /// for samples of a rate.
 AnalyzerConfig as_shipped(SampleRate rate = SampleRate(48'000));
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "audio/genre/genre_model.hpp"
 #include "base/random.hpp"
 #include "tests/audio/listen.hpp"
 #include "tests/support/realtime_guard.hpp"

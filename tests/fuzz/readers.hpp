@@ -47,6 +47,7 @@ bool read_choreography(std::string_view text);  ///< and bakes every figure
 bool read_figure(std::string_view text);        ///< of angles or positions; dances it for 2 s
 bool read_genre(std::string_view text);         ///< and analyses one second with it
 bool read_tagger(std::string_view changes);     ///< of the shipped weights; tags a patch
+bool read_beatnet(std::string_view changes);    ///< of the shipped weights; hears ten frames
 bool read_beats(std::string_view text);         ///< networks; and analyses one second with them
 bool read_labels(std::string_view text);        ///< of figures in takes
 bool read_counts(std::string_view text);        ///< of figures in takes

@@ -1,10 +1,13 @@
-// Dances that were solved and kept, the tagger's weights, and postures.
+// Dances that were solved and kept, pretrained weights, and postures.
+#include <array>
 #include <cstring>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "audio/beat/network/beatnet.hpp"
 #include "audio/genre/tagger_file.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
@@ -135,6 +138,29 @@ bool read_tagger(std::string_view changes) {
     }
     audio::TaggerRun run;
     run.compute(*network, std::span(mel).first<audio::kTagFrames * audio::kTagBands>());
+    return true;
+}
+
+bool read_beatnet(std::string_view changes) {
+    static const std::string good =
+        read_file(std::string(RAKS_SOURCE_DIR) + "/models/pretrained/beatnet.weights").value();
+    auto network = audio::parse_beatnet(
+        changed(good, changes, [](std::string_view text) { return hash_of(text); }));
+    if (!network) {
+        must_be_one_line(network.error().message);
+        return false;
+    }
+    audio::BeatNetStream stream(std::make_shared<const audio::BeatNet>(std::move(*network)));
+    std::array<float, audio::BeatNetStream::kWindow> samples{};
+    for (std::size_t frame = 0; frame < 10; ++frame) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            samples[i] = static_cast<float>((i + 5 * frame) % 61) / 61.0F - 0.5F;
+        }
+        // Probabilities, whatever the weights are.
+        const audio::BeatNetEvidence evidence = stream.next(samples);
+        must(evidence.downbeat >= 0.0F && evidence.downbeat <= evidence.beat);
+        must(evidence.beat <= 1.0F + 1e-5F);
+    }
     return true;
 }
 

@@ -18,6 +18,7 @@
 #include "audio/music/score/arrangement.hpp"
 #include "audio/music/score/band.hpp"
 #include "audio/music/score/keyboard_scores.hpp"
+#include "audio/music/score/metre_variations.hpp"
 #include "audio/music/score/midi_scores.hpp"
 #include "audio/music/score/other_music.hpp"
 
@@ -25,6 +26,7 @@ namespace raks::audio {
 namespace {
 
 constexpr int kMostBeats = 112;           // 22 s at 217 BPM and some to choose from
+constexpr int kMostEighths = 140;         // 22 s at 330 eighths a minute, and some
 constexpr double kShortestSeconds = 8.0;  // a shorter piece is drawn again
 // One excerpt in twenty has no beat. Numbers decide it, so the share is exact.
 constexpr int kNonMusicEvery = 20;
@@ -87,6 +89,7 @@ class PieceMaker {
     PieceMaker(std::vector<MidiStretch> pack, const CorpusPlan& plan)
         : seconds_(plan.seconds),
           with_machines_(plan.with_machines),
+          with_metres_(plan.with_metres),
           book_(plan.styles),
           styles_(plan.styles->rhythms_for_beats()) {
         // Sorts the MIDI pack by set; the drum grooves keep their styles beside them.
@@ -114,6 +117,12 @@ class PieceMaker {
     }
 
     [[nodiscard]] Piece make(Dice& dice) const {
+        if (with_metres_ && dice.chance(0.07)) {
+            return {"additive",
+                    "additive",
+                    perform(additive_score(kMostEighths, dice), seconds_, dice),
+                    {}};
+        }
         // Shares of the kinds, cumulative. A set that the pack lacks passes its share to the next
         // kind.
         const double kind = dice.uniform();
@@ -178,8 +187,35 @@ class PieceMaker {
         if (is_electronic) {
             give_to_machines(score, dice);
         }
+        if (with_metres_) {
+            family += vary_metre(score, dice);
+        }
         return {
             std::move(family), std::move(style), perform(score, seconds_, dice), {}, is_electronic};
+    }
+    /// Gives half of the pieces another metre or feel; returns what is added to their family's
+    /// name.
+    static std::string vary_metre(Score& score, Dice& dice) {
+        struct Variation {
+            double until;  // cumulative share of the pieces
+            const char* name;
+            void (*vary)(Score&, Dice&);
+        };
+        constexpr std::array kVariations = {Variation{0.25, " compound", make_compound},
+                                            Variation{0.31, " triplet hats", add_triplet_hats},
+                                            Variation{0.36, " swung", swing_sixteenths},
+                                            Variation{0.43, " off-beat", press_off_beats},
+                                            Variation{0.50, " slow", slow_down},
+                                            Variation{0.55, " strings", give_to_strings},
+                                            Variation{0.58, " claps", add_claps}};
+        const double drawn = dice.uniform();
+        for (const Variation& variation : kVariations) {
+            if (drawn < variation.until) {
+                variation.vary(score, dice);
+                return variation.name;
+            }
+        }
+        return "";
     }
     [[nodiscard]] Piece from_free(Dice& dice) const {
         Score score = free_drum_score(kMostBeats, dice);
@@ -204,7 +240,14 @@ class PieceMaker {
         if (dice.chance(0.7)) {
             add_band({}, {}, score, dice);
         }
-        return {"groove", "groove " + groove_styles_[chosen], perform(score, seconds_, dice), {}};
+        std::string family = "groove";
+        if (with_metres_) {
+            family += vary_metre(score, dice);
+        }
+        return {std::move(family),
+                "groove " + groove_styles_[chosen],
+                perform(score, seconds_, dice),
+                {}};
     }
     [[nodiscard]] Piece from_lied(Dice& dice) const {
         Score score = dice.pick<Score>(lieder_);
@@ -254,6 +297,7 @@ class PieceMaker {
 
     double seconds_;
     bool with_machines_;
+    bool with_metres_;
     const StyleBook* book_;
     Styles styles_;
     Styles electronic_;

@@ -34,6 +34,9 @@ struct CorpusPlan {
     /// More electronic music, most of it played by machines, and some styles at tempi at which they
     /// are seldom danced.
     bool with_machines = false;
+    /// Metres that are easily misheard: compound and additive ones, triplets over straight beats,
+    /// loud off-beats, slow music, strings, claps (audio/music/score/metre_variations.hpp).
+    bool with_metres = false;
     std::uint64_t seed = 1;  ///< piece n draws from stream n of it
     int threads = 2;         ///< any number gives the same pieces
 };

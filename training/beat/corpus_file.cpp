@@ -23,7 +23,7 @@ namespace raks::audio {
 namespace {
 
 constexpr std::string_view kCorpusMagic = "RAKSBEAT";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr double kLongestBar = 64.0;     // bar positions beyond it mean damage
 constexpr double kLongestExcerpt = 1e6;  // seconds
 constexpr float kLoudest = 1e9F;         // mel magnitude: beyond it sums become infinite
@@ -69,17 +69,18 @@ bool take_excerpt(Bytes& bytes, TrainingExcerpt& excerpt) {
     std::vector<double> beats;
     if (!bytes.take(4, sizes) || !bytes.take(sizes[0], family) || !bytes.take(sizes[1], style) ||
         !bytes.take(sizes[2], excerpt.mel) || sizes[3] > kLargest ||
-        !bytes.take(2 * sizes[3], beats)) {
+        !bytes.take(3 * sizes[3], beats)) {
         return false;
     }
-    // Beats are stored as two doubles each; the comparisons are false for NaN.
-    for (std::size_t i = 0; i < beats.size(); i += 2) {
+    // Beats are stored as three doubles each; the comparisons are false for NaN.
+    for (std::size_t i = 0; i < beats.size(); i += 3) {
         const double position = beats[i + 1];
+        const double parts = beats[i + 2];
         if (!(std::abs(beats[i]) < kLongestExcerpt) ||
-            !(position >= 0.0 && position <= kLongestBar)) {
+            !(position >= 0.0 && position <= kLongestBar) || !(parts == 2.0 || parts == 3.0)) {
             return false;
         }
-        excerpt.beats.push_back({beats[i], static_cast<int>(position)});
+        excerpt.beats.push_back({beats[i], static_cast<int>(position), static_cast<int>(parts)});
     }
     // NaN or infinite features would spoil a whole training run.
     const bool is_sound = std::all_of(excerpt.mel.begin(), excerpt.mel.end(), [](float magnitude) {
@@ -106,9 +107,12 @@ Expected<void> save_corpus(const std::vector<TrainingExcerpt>& corpus,
         put(bytes, excerpt.family.data(), excerpt.family.size());
         put(bytes, excerpt.style.data(), excerpt.style.size());
         put(bytes, excerpt.mel.data(), excerpt.mel.size());
-        std::vector<double> beats;  // two numbers a beat: padding of a struct is undefined
+        std::vector<double> beats;  // three numbers a beat: padding of a struct is undefined
         for (const PlayedBeat& beat : excerpt.beats) {
-            beats.insert(beats.end(), {beat.time, static_cast<double>(beat.bar_position)});
+            beats.insert(beats.end(),
+                         {beat.time,
+                          static_cast<double>(beat.bar_position),
+                          static_cast<double>(beat.parts)});
         }
         put(bytes, beats.data(), beats.size());
     }

@@ -25,7 +25,7 @@ struct BatchShape {
 BeatNetwork fresh_network(const NetworkPlan& plan) {
     BeatNetwork network(plan.units, plan.layers, plan.lookahead);
     initialize(network, plan.seed);
-    constexpr std::array kBiases = {-3.0F, -4.0F, -3.0F};
+    constexpr std::array kBiases = {-3.0F, -4.0F, -3.0F, -4.0F};
     std::copy(kBiases.begin(),
               kBiases.end(),
               network.parameters().begin() + static_cast<std::ptrdiff_t>(network.output_biases()));
@@ -115,7 +115,7 @@ constexpr std::size_t kWarmUpHops = 120;  // of a chunk: the network has not see
 constexpr float kWarmUpWeight = 0.2F;
 // Downbeats weigh more: to place them the network has to count beats, which it learns last.
 constexpr float kDownbeatWeight = 2.0F;
-constexpr float kHalfWeight = 0.7F;
+constexpr float kPartWeight = 0.7F;  // of halves and thirds
 
 constexpr double kMostStretch = 0.16;  // ln of the time stretch
 
@@ -160,7 +160,8 @@ class BatchWriter {
     TrainingBatch finish() { return std::move(batch_); }
 
  private:
-    // Outputs: 0 beat, 1 downbeat, 2 half-way between beats. Each is 1 where it happens.
+    // Outputs: 0 beat, 1 downbeat, 2 half-way between beats, 3 at thirds of beats of three parts.
+    // Each is 1 where it happens.
     void write_targets(std::size_t chunk,
                        const Span& span,
                        const TrainingExcerpt& excerpt,
@@ -180,7 +181,12 @@ class BatchWriter {
             }
             if (i + 1 < beats.size()) {
                 const double next = hop_of(beats[i + 1].time);
-                mark(chunk, span, 0.5 * (at + next), 2);
+                if (beats[i].parts == 3) {
+                    mark(chunk, span, (2.0 * at + next) / 3.0, 3);
+                    mark(chunk, span, (at + 2.0 * next) / 3.0, 3);
+                } else {
+                    mark(chunk, span, 0.5 * (at + next), 2);
+                }
                 // A little past the last beat; further on there may be beats that are not
                 // annotated.
                 known_until = next + 0.4 * (next - at);
@@ -198,7 +204,8 @@ class BatchWriter {
             float* const weights = &batch_.weights[(t * batch_.chunks + chunk) * kOutputs];
             weights[0] = weight;
             weights[1] = kDownbeatWeight * weight;
-            weights[2] = kHalfWeight * weight;
+            weights[2] = kPartWeight * weight;
+            weights[3] = kPartWeight * weight;
         }
     }
     /// Marks an output at a fractional hop: a triangle, 1 at the hop, 0 from two hops away.

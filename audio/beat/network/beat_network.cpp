@@ -96,7 +96,10 @@ void BeatNetworkStream::reset() noexcept RAKS_NONBLOCKING {
 
 BeatEvidence BeatNetwork::evidence_of(const models::RecurrentStream::Logits& logits) noexcept
     RAKS_NONBLOCKING {
-    return {models::logistic(logits[0]), models::logistic(logits[1]), models::logistic(logits[2])};
+    return {models::logistic(logits[0]),
+            models::logistic(logits[1]),
+            models::logistic(logits[2]),
+            models::logistic(logits[3])};
 }
 
 }  // namespace raks::audio

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "audio/beat/network/confidence_model.hpp"
 #include "audio/features/network_input.hpp"
 #include "base/expected.hpp"
 #include "base/realtime.hpp"
@@ -18,15 +19,18 @@ struct BeatEvidence {
     float beat = 0.0F;      ///< of a beat here (downbeats included)
     float downbeat = 0.0F;  ///< of the first beat of a bar
     float half = 0.0F;      ///< of the middle between two beats
+    float third = 0.0F;     ///< of a third or two thirds of a beat that has three parts
 };
 
-class BarNetwork;  // audio/beat/network/bar_network.hpp
+class BarNetwork;    // audio/beat/network/bar_network.hpp
+class PulseNetwork;  // audio/beat/network/pulse_network.hpp
+struct BeatNet;      // audio/beat/network/beatnet.hpp
 
-/// A recurrent network for beats: three logistic outputs over the NetworkInput of each hop. Weights
+/// A recurrent network for beats: four logistic outputs over the NetworkInput of each hop. Weights
 /// only; immutable once built. Threads: any may read.
 class BeatNetwork : public models::RecurrentNetwork {
  public:
-    static constexpr std::size_t kOutputs = 3;  ///< beat, downbeat, half
+    static constexpr std::size_t kOutputs = 4;  ///< beat, downbeat, half, third
     /// Input of one hop.
     using Frame = NetworkInput::Frame;
     /// Output for one hop.
@@ -47,6 +51,30 @@ class BeatNetwork : public models::RecurrentNetwork {
     /// Sets it, while building.
     void set_bars(std::shared_ptr<const BarNetwork> bars) noexcept { bars_ = std::move(bars); }
 
+    /// The network for the metre that goes with this one (pulse_network.hpp). Null: what single
+    /// beats say decides.
+    [[nodiscard]] const std::shared_ptr<const PulseNetwork>& pulses() const noexcept {
+        return pulses_;
+    }
+    /// Sets it, while building.
+    void set_pulses(std::shared_ptr<const PulseNetwork> pulses) noexcept {
+        pulses_ = std::move(pulses);
+    }
+
+    /// How sure its beats are, as they come and known ahead.
+    [[nodiscard]] const ConfidenceModel& confidence() const noexcept { return confidence_; }
+    /// Sets it, while building.
+    void set_confidence(const ConfidenceModel& model) noexcept { confidence_ = model; }
+
+    /// BeatNet, which is heard beside this one (beatnet.hpp). Null: it is not.
+    [[nodiscard]] const std::shared_ptr<const BeatNet>& beatnet() const noexcept {
+        return beatnet_;
+    }
+    /// Sets it, while building.
+    void set_beatnet(std::shared_ptr<const BeatNet> beatnet) noexcept {
+        beatnet_ = std::move(beatnet);
+    }
+
     /// Further networks of an ensemble, each with the same look-ahead: their outputs are averaged
     /// with this one's. They have neither further networks nor bars of their own.
     [[nodiscard]] const std::vector<std::shared_ptr<const BeatNetwork>>& others() const noexcept {
@@ -64,6 +92,9 @@ class BeatNetwork : public models::RecurrentNetwork {
  private:
     int lookahead_;
     std::shared_ptr<const BarNetwork> bars_;
+    std::shared_ptr<const PulseNetwork> pulses_;
+    std::shared_ptr<const BeatNet> beatnet_;
+    ConfidenceModel confidence_;
     std::vector<std::shared_ptr<const BeatNetwork>> others_;
 };
 

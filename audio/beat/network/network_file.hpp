@@ -9,13 +9,13 @@
 
 namespace raks::audio {
 
-/// Reads a beat network: {"format": "raks-beat-network", "version": 3, "units", "layers",
+/// Reads a beat network: {"format": "raks-beat-network", "version": 4, "units", "layers",
 /// "lookahead", "made_with", "attribution", "parameters": [...], "others": [{"units", "layers",
-/// "parameters": [...]}, ...], "bars": {"units", "layers", "parameters": [...]}}. Without "others"
-/// (as in version 2) it is no ensemble, without "bars" (as in version 1) it has no network for
-/// bars.
-/// Errors: one line with file and field: missing, another format, a newer version, sizes that do
-/// not fit, a parameter that is no finite number. Threads: workers. Real-time: no.
+/// "parameters": [...]}, ...], "confidence": [...], "bars": {"units", "layers", "parameters":
+/// [...]}}. Without "others" (as in version 2) it is no ensemble, without "bars" (as in version 1)
+/// it has no network for bars. Networks of versions 1 to 3 have no output for thirds. Errors: one
+/// line with file and field: missing, another format, a newer version, sizes that do not fit, a
+/// parameter that is no finite number. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<std::shared_ptr<const BeatNetwork>> load_network(
     const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.

@@ -6,6 +6,8 @@
 #include <map>
 #include <span>
 
+#include "audio/music/score/metre_variations.hpp"
+
 namespace raks::audio {
 namespace {
 
@@ -29,6 +31,9 @@ std::vector<double> beat_times(const Score& score, int beats, double bpm, Dice& 
     // In free tempo the last two beats of a phrase are lengthened.
     const int phrase = dice.pick({8, 12, 16, 16, 24, 32});
     const double wait = is_expressive ? dice.uniform(0.0, 0.25) : 0.0;
+    // 48 to 231 BPM, whatever was drawn, but for scores that are slower or faster.
+    const double shortest = score.highest_bpm > 231.0 ? 50.0 / score.highest_bpm : 0.26;
+    const double longest = score.lowest_bpm < 48.0 ? 63.0 / score.lowest_bpm : 1.25;
     double log_drift = 0.0;
     double log_wander = 0.0;
     for (int beat = 0; beat < beats; ++beat) {
@@ -42,8 +47,7 @@ std::vector<double> beat_times(const Score& score, int beats, double bpm, Dice& 
         if (beat % phrase >= phrase - 2) {
             period *= 1.0 + wait * (beat % phrase == phrase - 1 ? 1.0 : 0.5) * dice.uniform();
         }
-        // 48 to 231 BPM, whatever was drawn.
-        times.push_back(times.back() + std::clamp(period, 0.26, 1.25));
+        times.push_back(times.back() + std::clamp(period, shortest, longest));
     }
     return times;
 }
@@ -58,14 +62,21 @@ double time_at(const std::vector<double>& times, double beat) {
 
 std::size_t index_of(int beat) { return static_cast<std::size_t>(beat); }
 
-/// The first beats, each `start` seconds later than in `times`.
+/// The beats of the score from `first` on, each `start` seconds later than in `times`.
 std::vector<PlayedBeat> beats_until(double seconds,
                                     std::span<const double> times,
                                     double start,
-                                    std::span<const int> bar_positions) {
+                                    const Score& score,
+                                    std::size_t first) {
     std::vector<PlayedBeat> beats;
-    for (std::size_t beat = 0; beat + 1 < times.size() && start + times[beat] < seconds; ++beat) {
-        beats.push_back({start + times[beat], bar_positions[beat]});
+    const int parts = score.beat_parts.empty() ? parts_of(score) : 2;
+    for (std::size_t i = 0; i + 1 < times.size() && start + times[i] < seconds; ++i) {
+        const std::size_t beat = first + i;
+        if (score.bar_position[beat] != Score::kNoBeat) {
+            beats.push_back({start + times[i],
+                             score.bar_position[beat],
+                             score.beat_parts.empty() ? parts : score.beat_parts[beat]});
+        }
     }
     return beats;
 }
@@ -161,8 +172,7 @@ Performance perform(const Score& score, double seconds, Dice& dice) {
     std::stable_sort(played.notes.begin(),
                      played.notes.end(),
                      [](const PlayedNote& a, const PlayedNote& b) { return a.time < b.time; });
-    played.beats =
-        beats_until(seconds, times, start, std::span(score.bar_position).subspan(index_of(first)));
+    played.beats = beats_until(seconds, times, start, score, index_of(first));
     played.seconds = std::min(seconds, start + times.back());
     return played;
 }

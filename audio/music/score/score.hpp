@@ -21,15 +21,19 @@ struct ScoreNote {
 
 /// Music on paper: the beats are at 0, 1, 2, ...
 struct Score {
+    static constexpr int kNoBeat = -1;  ///< in `bar_position`: counted, but no beat of the music
+
     std::vector<ScoreNote> notes;   ///< in any order
     std::vector<int> bar_position;  ///< of each beat: 1 is a downbeat
-    double bpm = 120.0;             ///< beats a minute, before a tempo curve bends it
-    double lowest_bpm = 55.0;       ///< range in which the style is danced
-    double highest_bpm = 217.0;     ///< as lowest_bpm
-    bool has_drums = true;          ///< whether any note is a drum's
-    bool is_expressive = false;     ///< no drums, free tempo: rubato fits
-    bool is_programmed = false;     ///< machines play it: exact and mostly steady
-    bool is_complete = false;       ///< no player is missing or pauses
+    /// Into how many parts each beat is divided, 2 or 3; empty: as parts_of() says.
+    std::vector<int> beat_parts;
+    double bpm = 120.0;          ///< beats a minute, before a tempo curve bends it
+    double lowest_bpm = 55.0;    ///< range in which the style is danced
+    double highest_bpm = 217.0;  ///< as lowest_bpm
+    bool has_drums = true;       ///< whether any note is a drum's
+    bool is_expressive = false;  ///< no drums, free tempo: rubato fits
+    bool is_programmed = false;  ///< machines play it: exact and mostly steady
+    bool is_complete = false;    ///< no player is missing or pauses
 };
 
 /// Samples a second of what performances are played as.
@@ -50,6 +54,7 @@ struct PlayedNote {
 struct PlayedBeat {
     double time = 0.0;     ///< seconds from the start
     int bar_position = 1;  ///< 1 is a downbeat
+    int parts = 2;         ///< into which the music divides the beat, 2 or 3
 };
 
 /// A score as people would play it.

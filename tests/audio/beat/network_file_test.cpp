@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "audio/beat/network/bar_network.hpp"
@@ -16,6 +17,9 @@
 #include "base/random.hpp"
 #include "tests/support/mangled.hpp"
 #include "tests/support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace raks::audio {
 namespace {
@@ -109,12 +113,43 @@ TEST_F(NetworkFile, gives_back_those_that_are_heard_beside) {
     }
 }
 
-TEST_F(NetworkFile, of_version_1_hears_no_bars_and_hears_alone) {
-    std::string text = saved_text();
-    text = text.substr(0, text.find(",\n\"others\"")) + "}\n";
-    EXPECT_EQ(error_of(replaced(text, "\"version\": 3", "\"version\": 1")), "");
-    EXPECT_FALSE((*load_network(path_))->bars());
-    EXPECT_TRUE((*load_network(path_))->others().empty());
+TEST_F(NetworkFile, gives_back_how_sure_beats_are) {
+    BeatNetwork network = small();
+    ConfidenceModel model;
+    model.weights[3] = -12.5F;
+    network.set_confidence(model);
+    ASSERT_TRUE(save_network(network, {"command", "people"}, path_));
+    const auto read = load_network(path_);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ((*read)->confidence().weights, model.weights);
+    const std::string text = *read_file(path_);
+    const std::size_t list = text.find(",\n\"confidence\"");
+    EXPECT_EQ(error_of(text.substr(0, list) + "}\n"), "");
+    EXPECT_EQ((*load_network(path_))->confidence().weights, ConfidenceModel().weights)
+        << "a file without any has the usual ones";
+}
+
+TEST_F(NetworkFile, of_an_older_version_hears_no_thirds_and_without_bars_and_others_none) {
+    // A network of versions 1 to 3: three outputs, whose biases say what it hears.
+    const models::RecurrentNetwork old({NetworkInput::kSize, 1, 1, 3});
+    std::vector<std::string> numbers(old.parameters().size(), "0");
+    std::copy_n(std::array{"1", "2", "3"}.begin(), 3, numbers.end() - 3);
+    for (const int version : {1, 2, 3}) {
+        const std::string text = fmt::format(
+            R"({{"format": "raks-beat-network", "version": {}, "units": 1, "layers": 1,
+                "lookahead": 2, "parameters": [{}]}})",
+            version,
+            fmt::join(numbers, ","));
+        ASSERT_EQ(error_of(text), "") << version;
+        const auto network = *load_network(path_);
+        EXPECT_FALSE(network->bars());
+        EXPECT_TRUE(network->others().empty());
+        const BeatEvidence heard = BeatNetworkStream(network).next({});
+        EXPECT_NEAR(heard.beat, 0.7311F, 1e-3F);
+        EXPECT_NEAR(heard.downbeat, 0.8808F, 1e-3F);
+        EXPECT_NEAR(heard.half, 0.9526F, 1e-3F);
+        EXPECT_LT(heard.third, 1e-4F);
+    }
 }
 
 TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
@@ -124,7 +159,7 @@ TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
         std::string expected;
     } cases[] = {
         {replaced(good, "raks-beat-network", "raks-figure"), "format"},
-        {replaced(good, "\"version\": 3", "\"version\": 4"), "version"},
+        {replaced(good, "\"version\": 4", "\"version\": 5"), "version"},
         {replaced(good, "\"units\": 4", "\"units\": 8"), "parameters"},
         {replaced(good, "\"units\": 4", "\"units\": 100000"), "units"},
         {replaced(good, "\"layers\": 1", "\"layers\": 0"), "layers"},
@@ -135,6 +170,11 @@ TEST_F(NetworkFile, says_in_one_line_what_is_wrong) {
         {replaced(good, "\"bars\": {\n\"units\": 2,", "\"bars\": {\n"), "bars.units"},
         {replaced(good, "\"units\": 3", "\"units\": 4"), "others[0].parameters has"},
         {replaced(good, "\"others\": [", "\"others\": [1,2,3,4,5,6,7,"), "others are 8"},
+        {replaced(good, "\"version\": 4", "\"version\": 3"), "parameters has"},
+        {replaced(good, "\"confidence\": [", "\"confidence\": [1,"), "confidence has 16 numbers"},
+        {replaced(good, "\"confidence\": [", "\"confidence\": [1e9],\"x\": ["), "confidence has 1"},
+        {replaced(good, "\"confidence\": [-0.3,", "\"confidence\": [-1e9,"), "confidence[0]"},
+        {replaced(good, "\"confidence\": [-0.3,", "\"confidence\": [null,"), "confidence[0]"},
         {"", "JSON"},
         {"[1, 2]", ""},
     };

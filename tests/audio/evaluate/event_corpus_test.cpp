@@ -52,7 +52,7 @@ TEST(ParseEvents, reads_what_events_text_writes) {
 }
 
 TEST(EventCorpus, lists_songs_by_name_and_says_what_is_missing) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const auto nothing = load_event_corpus(folder.path());
     ASSERT_FALSE(nothing);
     EXPECT_EQ(

@@ -22,6 +22,7 @@ DanceDecision::Values logs_of_chances(const std::array<float, kDecidedClasses>& 
 BeatGrid sure_grid(int beats_per_bar) {
     BeatGrid grid;
     grid.confidence = 1.0F;
+    grid.bar_confidence = 1.0F;
     grid.beats_per_bar = beats_per_bar;
     return grid;
 }
@@ -50,7 +51,7 @@ TEST(DanceDecision, a_whole_song_is_settled_at_once) {
     DanceDecision decision(kDecidedClasses, kDecidedBars, {});
     decision.settle(logs_of_chances({0.8F, 0.1F, 0.1F}), 3'000, sure_grid(4));
     EXPECT_EQ(decision.shown(), 0U);
-    decision.settle(logs_of_chances({0.35F, 0.33F, 0.32F}), 3'000, sure_grid(4));
+    decision.settle(logs_of_chances({0.35F, 0.33F, 0.32F}), 3'000, BeatGrid());
     EXPECT_EQ(decision.shown(), kNoDance) << "not likely enough";
 }
 

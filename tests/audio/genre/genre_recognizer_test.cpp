@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "tests/audio/genre/small_genre_model.hpp"
 #include "tests/support/dances.hpp"
@@ -23,7 +24,7 @@ class Stage {
  public:
     explicit Stage(GenreSettings settings = {}, GenreModel model = test::small_genre_model())
         : recognizer_(*GenreRecognizer::create(std::make_shared<const GenreModel>(std::move(model)),
-                                               with_dances(settings))) {
+                                               with_dances(std::move(settings)))) {
         states_.reserve(20'000);
     }
 
@@ -39,6 +40,7 @@ class Stage {
             state.time = time_of_hop(hop_++);
             state.level_dbfs = level;
             state.grid.confidence = confidence;
+            state.grid.bar_confidence = 1.0F;
             recognizer_.advance(vector, mel, nullptr, state);
             states_.push_back(state);
         }
@@ -163,7 +165,7 @@ TEST(GenreRecognizer, longer_windows_switch_later) {
 TEST(GenreRecognizer, frames_that_all_genres_share_do_not_count) {
     GenreModel model = test::small_genre_model();
     model.similarity = model.background;
-    model.similarity->means.col(0).setConstant(kNeither);
+    model.similarity->means.col(0).setConstant(double{kNeither});
     model.similarity->covariances.assign(2, Eigen::MatrixXd::Constant(kMfccFeatures, 1, 4.0));
     Stage stage({.evidence = GenreEvidence::mfcc_similarity}, model);
     stage.play(10.0, kSalsa);

@@ -48,7 +48,8 @@ TEST(TaggerFile, faults_are_said_in_one_line) {
     EXPECT_EQ(tagger_error(""), "is not the music tagger's weights; install Raks again");
     EXPECT_EQ(tagger_error("raks-tagger\n\1"), "is cut short at its head; install Raks again");
     EXPECT_EQ(tagger_error(with(good, 12, "\2")), "is of version 2, this program reads version 1");
-    EXPECT_EQ(tagger_error(with(good, 14, "\5")), "says that it has 5 arrays, must be 49");
+    EXPECT_EQ(tagger_error(with(good, 14, "\5")),
+              "says that it has 5 arrays, must be 49; install Raks again");
     EXPECT_EQ(tagger_error(with(good, kernel, "timbre39")),
               "has an array 'timbre39.kernel' where timbre38.kernel must be; install Raks again");
     // Behind the name: kind, number of sizes, sizes.
@@ -60,9 +61,10 @@ TEST(TaggerFile, faults_are_said_in_one_line) {
     EXPECT_EQ(tagger_error(with(good, kind + 14, std::string("\0\x7e", 2))),
               "timbre38.kernel[0] is inf, must be a number up to 1e6; install Raks again");
     const std::size_t places = good.find("a.index") + std::strlen("a.index") + 6;
-    EXPECT_EQ(
-        tagger_error(with(good, places, std::string("\0\0\x80\x42", 4))),
-        "a.index[0] is 64, must be a place among 64 after the one before; install Raks again");
+    EXPECT_EQ(tagger_error(with(good, places, std::string("\0\0\x80\x42", 4))),
+              "a.index[0] is 64, must be a whole number below 64; install Raks again");
+    EXPECT_EQ(tagger_error(with(good, places, std::string("\0\0\x7c\x42", 4))),
+              "a.index[1] is 6, must be a place after the one before; install Raks again");
     EXPECT_EQ(tagger_error(hashed(good + "12345678")),
               "goes on after its last array; install Raks again");
     std::string damaged = good;

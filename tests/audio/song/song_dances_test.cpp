@@ -128,7 +128,10 @@ TEST(SongDances, a_section_begins_on_a_bar_line) {
     HeardSong song;
     song.hear(30.0, {0.9F, 0.05F, 0.05F}).hear(30.0, {0.05F, 0.9F, 0.05F});
     for (int beat = 0; beat < 120; ++beat) {
-        song.beats.push_back({stream_time_from_seconds(0.3 + 0.5 * beat), {4, beat % 4}, 1.0F});
+        song.beats.push_back({.time = stream_time_from_seconds(0.3 + 0.5 * beat),
+                              .place = {4, beat % 4},
+                              .confidence = 1.0F,
+                              .rival = {}});
     }
     const auto sections = song.sections();
     ASSERT_EQ(sections.size(), 2U);
@@ -140,9 +143,11 @@ TEST(SongDances, a_section_begins_where_the_metre_changes) {
     song.hear(30.0, {0.9F, 0.05F, 0.05F}).hear(30.0, {0.05F, 0.9F, 0.05F});
     for (int beat = 0; beat < 120; ++beat) {
         const int in_threes = beat - 60;
-        song.beats.push_back({stream_time_from_seconds(0.5 * beat),
-                              beat < 60 ? BarPlace{4, beat % 4} : BarPlace{3, in_threes % 3},
-                              1.0F});
+        song.beats.push_back(
+            {.time = stream_time_from_seconds(0.5 * beat),
+             .place = beat < 60 ? BarPlace{4, beat % 4} : BarPlace{3, in_threes % 3},
+             .confidence = 1.0F,
+             .rival = {}});
     }
     const auto sections = song.sections();
     ASSERT_EQ(sections.size(), 2U);

@@ -47,6 +47,8 @@ TEST(SongPlan, rewrites_beats_form_and_dance_and_keeps_all_else_of_the_stream) {
         const MusicState& known = plan.states[i];
         MusicState wanted = stream[i];
         wanted.grid = known.grid;
+        wanted.rival = known.rival;
+        wanted.beat_parts = known.beat_parts;
         wanted.has_beat = known.has_beat;
         wanted.beat = known.beat;
         wanted.has_predicted = known.has_predicted;

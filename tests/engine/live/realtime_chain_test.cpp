@@ -72,6 +72,9 @@ void give_commands(std::int64_t block, AnalysisStage& analysis, MotionStage& mot
         case 1'500:
             ASSERT_TRUE(analysis.command({Music::double_tempo, now, 0.0}));
             break;
+        case 1'750:
+            ASSERT_TRUE(analysis.command({Music::three_two, now, 0.0}));
+            break;
         case 2'000:
             ASSERT_TRUE(motion.command({Dance::next_figure, now, 0.0}));
             break;

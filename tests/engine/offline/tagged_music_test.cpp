@@ -148,7 +148,7 @@ TEST_F(TaggedMusic, a_tempo_tag_is_read_from_every_format_and_bad_ones_say_nothi
         EXPECT_EQ(told_bpm(file, ignoring), 0.0) << name;
     }
     // No number, and tempi that the tracker could not find.
-    for (const char* const bad : {"''", "fast", "0", "-95", "nan", "1e9", "40", "300", "95,95"}) {
+    for (const char* const bad : {"''", "fast", "0", "-95", "nan", "1e9", "39", "300", "95,95"}) {
         const fs::path file = tagged(wav, "b.flac", std::string("-metadata BPM=") + bad);
         EXPECT_EQ(told_bpm(file, installed::models()), 0.0) << bad;
     }

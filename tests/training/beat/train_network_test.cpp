@@ -86,7 +86,7 @@ TEST(NetworkTraining, listener_hears_what_the_trainer_computes) {
                     frame.size(),
                     frame.begin());
         const BeatEvidence heard = listener.next(frame);
-        for (const float p : {heard.beat, heard.downbeat, heard.half}) {
+        for (const float p : {heard.beat, heard.downbeat, heard.half, heard.third}) {
             expected -= std::log(1.0 - static_cast<double>(p));
         }
     }
