@@ -14,6 +14,14 @@ struct Descriptor {
     explicit Descriptor(int taken) noexcept : number(taken) {}
     Descriptor(const Descriptor&) = delete;             ///< one owner
     Descriptor& operator=(const Descriptor&) = delete;  ///< likewise
+    /// Takes over what the other owned; its own is closed.
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        if (this != &other) {
+            close();
+            number = other.release();
+        }
+        return *this;
+    }
     ~Descriptor() { close(); }
     /// Gives it away.
     [[nodiscard]] int release() noexcept { return std::exchange(number, -1); }

@@ -112,6 +112,15 @@ static_assert(kMusicBandNames.size() == static_cast<std::size_t>(MusicAccent::Ba
     return kMusicBandNames[static_cast<std::size_t>(band)];
 }
 
+/// What sounds at a hop, by pitch, as lights and scopes show it. Against the loudest of the last
+/// seconds, so that soft music fills it as loud music does.
+struct MusicSpectrum {
+    static constexpr std::size_t kBands = 16;  ///< even to the ear, 30 Hz to 15.5 kHz
+    std::array<std::uint8_t, kBands> bands{};  ///< low to high; 0: 36 dB below, or silence
+    float strongest_hz = 0.0F;                 ///< of the strongest band; 0: silence
+    friend bool operator==(const MusicSpectrum&, const MusicSpectrum&) = default;
+};
+
 /// What is known beyond a hop where the whole song was analysed before it sounds.
 struct Foresight {
     bool is_known = false;  ///< false: the rest means nothing, only the past is known
@@ -139,6 +148,7 @@ struct MusicState {
     RivalTempo rival;  ///< the likeliest other tempo, such as an octave or three for two
     /// Into how many parts the music divides the beats: 2 or 3.
     int beat_parts = 2;
+    bool is_tempo_held = false;  ///< by a person: the beats go on, whatever is heard
 
     bool has_beat = false;       ///< `beat` was announced since the last hop
     BeatEvent beat;              ///< valid while has_beat
@@ -161,6 +171,7 @@ struct MusicState {
     bool is_silent = true;          ///< no sound to analyse
     bool is_discontinuity = false;  ///< samples were lost before this hop; grid was re-anchored
 
+    MusicSpectrum spectrum;               ///< what sounds
     MusicEnergy energy;                   ///< how much the music gives
     MusicPart part = MusicPart::stopped;  ///< what it is doing
     MusicEvent event;    ///< that became known at this hop; kind none: there was none

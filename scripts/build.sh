@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is needed and builds Raks in build/release: the programs that dance, or, with `learn`,
 # also those of `raks train` and `raks capture`; with `stream`, pictures go to other programs through
-# PipeWire, too. Says on stderr how far it is.
-#   scripts/build.sh [learn|stream]
+# PipeWire, too; with `remote`, a page for phones and HTTP are served. Says on stderr how far it is.
+#   scripts/build.sh [learn|stream|remote]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -24,8 +24,13 @@ case "${1:-}" in
         chosen=(-DRAKS_PIPEWIRE=ON)
         [ -e build/release/CMakeCache.txt ] ||
             chosen+=(-DRAKS_TESTS=OFF -DRAKS_TRAIN=OFF -DRAKS_CAPTURE=OFF) ;;
+    remote)
+        lists+=(remote)
+        chosen=(-DRAKS_REMOTE=ON)
+        [ -e build/release/CMakeCache.txt ] ||
+            chosen+=(-DRAKS_TESTS=OFF -DRAKS_TRAIN=OFF -DRAKS_CAPTURE=OFF) ;;
     *)
-        echo "usage: scripts/build.sh [learn|stream]" >&2
+        echo "usage: scripts/build.sh [learn|stream|remote]" >&2
         exit 2 ;;
 esac
 scripts/setup.sh "${lists[@]}"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # A night in short: `raks live` and `raks play` run on a PulseAudio server of their own while every
 # minute something goes wrong: the server is killed and comes back, the default changes, a sink is
-# removed, the programs are stopped for 5 s, the processor is busy. At the end both must be there,
+# removed, the programs are stopped for 5 s, the processor is busy, who is told of the beats is killed and
+# comes back. At the end both must be there,
 # with no thread or descriptor more than at the start, no growing memory, and the tempo of the music.
 #   scripts/night.sh [MINUTES]     30 when not given; 6 at least
 # Needs the packages of scripts/setup.sh. Prints a line a minute; exit code 1 when something is wrong.
@@ -12,7 +13,7 @@ raks=$PWD/build/release/bin/raks
 folder=$(mktemp -d)
 pids=()
 stop() {
-    for pid in "${pids[@]}" ${server:-}; do kill "$pid" 2>/dev/null || true; done
+    for pid in "${pids[@]}" ${server:-} ${receiver:-}; do kill "$pid" 2>/dev/null || true; done
     wait 2>/dev/null || true
     rm -rf "$folder"
 }
@@ -45,14 +46,21 @@ music &
 pids+=($!)
 "$raks" live --headless 2>"$folder/live.err" &
 live=$!
-"$raks" play "$folder/drums.wav" --headless --repeat --volume 0 2>"$folder/play.err" &
+# Beats by all protocols, to a receiver that counts them and to peers that are not there.
+hear_beats() {
+    python3 tests/receivers/count_beats.py --listen 17791 17792 17793 >>"$folder/beats" &
+    receiver=$!
+}
+hear_beats
+"$raks" play "$folder/drums.wav" --headless --repeat --volume 0 --lines /dev/null --osc 127.0.0.1:17791,rate=50 \
+    --wled 127.0.0.1:17792 --os2l 127.0.0.1:17793 --osc no-such-host.invalid:9000 --os2l 127.0.0.1:1 2>"$folder/play.err" &
 play=$!
 pids+=($live $play)
 
 kilobytes() { awk '/^VmRSS/ { print $2 }' "/proc/$1/status"; }
 count() { find "/proc/$1/$2" -mindepth 1 -maxdepth 1 | wc -l; }
 state() { echo "$(count "$1" task) threads, $(count "$1" fd) files, $(kilobytes "$1") kB"; }
-faults=(kill switch remove stop busy)
+faults=(kill switch remove stop busy peer)
 wreck() {
     case $1 in
         kill)
@@ -73,6 +81,11 @@ wreck() {
             kill -STOP $live $play
             sleep 5
             kill -CONT $live $play ;;
+        peer)
+            kill -KILL $receiver
+            wait $receiver 2>/dev/null || true
+            sleep 20
+            hear_beats ;;
         busy)
             for i in 1 2 3 4; do timeout 15 sh -c 'while :; do :; done' & done
             sleep 15 ;;
@@ -101,6 +114,12 @@ wait $live || live_code=$?
 wait $play || play_code=$?
 fault=0
 wrong() { echo "WRONG: $*"; fault=1; }
+kill $receiver
+wait $receiver || true
+echo "beats since the receiver came back: $(tail -n 1 "$folder/beats")"
+tail -n 1 "$folder/beats" | grep -q '"osc": [1-9].*"os2l": [1-9].*"wled": [1-9]' || wrong "a target gets no beats any more"
+[ "$(grep -c "nobody listens there\|closed the connection\|reset by peer" "$folder/play.err")" -le 3 ] ||
+    wrong "a lost peer is said more than once"
 [ $live_code -eq 130 ] && [ $play_code -eq 130 ] || wrong "exit codes $live_code and $play_code, not 130"
 [ "${last_live%,*}" = "${first_live%,*}" ] || wrong "live had $first_live, has $last_live"
 [ "${last_play%,*}" = "${first_play%,*}" ] || wrong "play had $first_play, has $last_play"

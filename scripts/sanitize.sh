@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 asan=(base motion capture audio audio_io avatar render training_figures engine_files engine_show apps
     fuzz)
 # Those with threads.
-tsan=(base engine engine_live)
+tsan=(base engine engine_live engine_outputs)
 
 # What is not ours.
 export TSAN_OPTIONS="suppressions=$PWD/scripts/tsan_suppressions.txt${TSAN_OPTIONS:+ $TSAN_OPTIONS}"

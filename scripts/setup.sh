@@ -2,7 +2,7 @@
 # Installs the Debian 12 packages of the lists that are asked for; without a name those that building
 # and dancing need. Idempotent: when all is there it asks dpkg once and leaves. Uses sudo when not
 # root. It never removes or replaces a package.
-#   scripts/setup.sh [build] [run] [learn] [stream] [test] [ci] [fuzz] [rtsan] [soundfonts]
+#   scripts/setup.sh [build] [run] [learn] [stream] [remote] [test] [ci] [receivers] [fuzz] [rtsan] [soundfonts]
 #   scripts/setup.sh --list [LIST...]    prints the packages of the lists and installs nothing
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,7 +15,7 @@ declare -A lists=(
         libswresample-dev libeigen3-dev libglm-dev libglfw3-dev libepoxy-dev libegl-dev libopengl-dev
         libx11-dev libimgui-dev libstb-dev libpng-dev libjpeg62-turbo-dev libwebp-dev zlib1g-dev
         libmeshoptimizer-dev libassimp-dev libdraco-dev nlohmann-json3-dev libsimdjson-dev
-        libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev"
+        libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev liboscpack-dev"
     # OpenGL and letters.
     [run]="libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 fonts-dejavu-core"
     # raks-train (MIDI, matrices) and raks-capture (cameras).
@@ -23,6 +23,8 @@ declare -A lists=(
         libopencv-contrib-dev libceres-dev"
     # Pictures through PipeWire: play and live --video-out pipewire.
     [stream]="libpipewire-0.3-dev"
+    # HTTP and a page for phones: play and live --remote.
+    [remote]="libcivetweb-dev libqrencode-dev"
     # What the tests need that open no window and no sound device.
     [test]="git ccache mold libgtest-dev libgmock-dev libebur128-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display, checkers of code and of packages: all that CI runs.
@@ -30,6 +32,8 @@ declare -A lists=(
         gstreamer1.0-tools gstreamer1.0-plugins-base
         dpkg-dev lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin man-db zsh fish
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
+    # Programs that are told of the music, for the tests with the label receivers.
+    [receivers]="liblo-tools qlcplus python3 curl chromium"
     # scripts/fuzz.sh and scripts/rtsan.sh
     [fuzz]="clang-14 libclang-rt-14-dev"
     [rtsan]="clang-22 libclang-rt-22-dev llvm-14"
@@ -55,7 +59,7 @@ fi
 packages=()
 for name in "$@"; do
     if [ -z "${lists[$name]:-}" ]; then
-        say "there is no list \"$name\"; the lists are build, run, learn, stream, test, ci, fuzz, rtsan, soundfonts"
+        say "there is no list \"$name\"; the lists are build, run, learn, stream, remote, test, ci, receivers, fuzz, rtsan, soundfonts"
         exit 2
     fi
     read -r -d '' -a words <<<"${lists[$name]}" || true

@@ -27,12 +27,12 @@ quietly() {
 }
 
 if [ "$mode" = --sanitizers ]; then
-    scripts/setup.sh build run learn stream test ci
+    scripts/setup.sh build run learn stream remote test ci
     exec scripts/sanitize.sh all
 fi
 
 lists=(build run learn test)
-[ "$mode" != --all ] || lists+=(stream ci)
+[ "$mode" != --all ] || lists+=(stream remote ci)
 scripts/setup.sh "${lists[@]}"
 if [ "$mode" = --all ]; then
     # Without the network the tests on PipeWire are skipped.

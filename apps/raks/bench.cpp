@@ -345,8 +345,9 @@ ExitCode bench(const BenchArguments& arguments) {
                   : arguments.what == "motion" ? bench_motion(arguments.seconds)
                   : arguments.what == "render" ? bench_render()
                   : arguments.what == "train"  ? bench_train()
-                  : arguments.what == "avatar" ? bench_avatar(arguments.model)
-                                               : bench_latency(arguments.seconds);
+                  : arguments.what == "avatar"
+                      ? bench_avatar(arguments.model)
+                      : bench_latency(arguments.seconds, arguments.is_held);
     if (!report) {
         return fail(report.error());
     }

@@ -42,8 +42,8 @@ struct BenchReport {
 /// from our output to our input (loop_recorder.hpp), the latency, the lead of the pictures over the
 /// sound, and the landing of the displayed poses. Without a loop those are "not measured".
 /// landing_mean_ms and landing_sd_ms are of the signed errors (late is positive), landing_abs_ms of
-/// their sizes.
-[[nodiscard]] Expected<BenchReport> bench_latency(double seconds);
+/// their sizes. `is_held`: five beats are tapped as they are heard, and the tempo is held then.
+[[nodiscard]] Expected<BenchReport> bench_latency(double seconds, bool is_held);
 
 /// Times Baum-Welch training and scoring of a left-to-right HMM with a full covariance a state, at
 /// sizes that other programs were timed at: 10 states, 39 features, 50 sequences of 500 frames, 20

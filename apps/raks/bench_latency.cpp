@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/raks/arrival_watch.hpp"
 #include "apps/raks/bench.hpp"
 #include "apps/raks/dance_setup.hpp"
 #include "apps/terminal/program.hpp"
@@ -43,9 +44,33 @@ struct Watched {
     motion::Skeleton skeleton;
 };
 
+// A person who taps five beats of the music as they are heard, and then holds its tempo.
+class Tapper {
+ public:
+    explicit Tapper(const audio::GeneratedMusic& music) : music_(&music) {}
+    void watch(engine::LiveGraph& graph, HostTime now) {
+        constexpr std::size_t kFirst = 12;
+        constexpr std::size_t kTaps = 5;
+        while (taps_ < kTaps && kFirst + taps_ < music_->beats.size()) {
+            const HostTime heard = graph.heard_at(music_->beats[kFirst + taps_].time);
+            if (heard > now) {
+                return;
+            }
+            static_cast<void>(graph.command(audio::AnalyzerCommand::Kind::tap, 0.0, heard));
+            if (++taps_ == kTaps) {
+                static_cast<void>(graph.command(audio::AnalyzerCommand::Kind::set_tempo, kBpm));
+            }
+        }
+    }
+
+ private:
+    const audio::GeneratedMusic* music_;
+    std::size_t taps_ = 0;
+};
+
 // Draws nothing, but takes clock, stage and moment as a window's loop does at each picture. Errors:
 // the device has died.
-Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
+Expected<Watched> watch(engine::LiveGraph& graph, double seconds, std::optional<Tapper> tapper) {
     Watched watched;
     watched.pictures.reserve(static_cast<std::size_t>(seconds / to_seconds(kPictureTime)) + 1);
     const HostTime start = HostClock::now();
@@ -57,6 +82,9 @@ Expected<Watched> watch(engine::LiveGraph& graph, double seconds) {
         }
         const engine::StageState& stage = graph.stage();
         const HostTime now = HostClock::now();
+        if (tapper) {
+            tapper->watch(graph, now);
+        }
         const engine::ClockLine clock = graph.analysis().clock();
         // Before the first pose there is nothing to show.
         if (stage.track().is_empty() || !clock.is_running) {
@@ -159,6 +187,7 @@ void add_landing(const Watched& watched,
 void add_loop(const Watched& watched,
               const Expected<engine::LoopRecording>& recording,
               const audio::GeneratedMusic& music,
+              const ArrivalWatch& arrivals,
               Nanos reported_latency,
               BenchReport& report) {
     // Fewer beats say too little.
@@ -188,6 +217,7 @@ void add_loop(const Watched& watched,
     report.spreads.emplace_back("loop_latency_ms_spread", latency);
     report.spreads.emplace_back("picture_lead_ms",
                                 spread_of(engine::picture_leads_ms(watched.pictures, sound)));
+    arrivals.add_to(report, audible, music);
     add_landing(watched, sound, music, report);
 }
 
@@ -270,7 +300,7 @@ std::string dance_of_figures(const engine::DanceCatalogue& catalogue, const std:
 
 }  // namespace
 
-Expected<BenchReport> bench_latency(double seconds) {
+Expected<BenchReport> bench_latency(double seconds, bool is_held) {
     const auto system = system_with_loop();
     const std::optional<audio::AudioDevice> output = loudspeaker(system);
     const auto music = music_for(output, seconds);
@@ -305,6 +335,15 @@ Expected<BenchReport> bench_latency(double seconds) {
     }
     config.models = setup->models;
     config.cast = engine::cast_of(*library, setup->skeleton, 1);
+    // Others are told of the beats, too, as a show does.
+    const auto arrivals = ArrivalWatch::open();
+    if (!arrivals) {
+        return fail(arrivals.error());
+    }
+    const auto outputs = engine::Outputs::open((*arrivals)->wishes());
+    if (!outputs) {
+        return fail(outputs.error());
+    }
     // The first callback must not find an empty ring.
     (*player)->wait_until_ready(4096);
     // Room for the whole piece and some seconds of starting and ending.
@@ -319,7 +358,9 @@ Expected<BenchReport> bench_latency(double seconds) {
     if (!(*graph)->command(motion::DancerCommand::Kind::lock_figure, 1.0)) {
         return fail("the dancers take no commands");
     }
-    auto watched = watch(**graph, kLeadIn + seconds);
+    (*outputs)->follow((*graph)->feed(), config.models.dances);
+    auto watched =
+        watch(**graph, kLeadIn + seconds, is_held ? std::optional(Tapper(*music)) : std::nullopt);
     if (!watched) {
         return fail(watched.error());
     }
@@ -335,6 +376,7 @@ Expected<BenchReport> bench_latency(double seconds) {
     add_loop(*watched,
              loop ? (*recorder)->recording() : fail(loop.error()),
              *music,
+             **arrivals,
              (*graph)->heard_after(),
              report);
     add_counters((*graph)->counters(), report);

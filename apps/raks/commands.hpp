@@ -41,6 +41,14 @@ struct VideoArguments {
     Path record;                            ///< film of the show; empty: none from the start
 };
 
+/// Who may ask for actions besides the person at the window; nobody, unless it is said here.
+struct RemoteArguments {
+    bool has_server = false;            ///< HTTP, and a page for phones
+    std::string address = "127.0.0.1";  ///< of it: ADDRESS, PORT or ADDRESS:PORT
+    bool keeps_token = false;           ///< of it: the same one the next time
+    std::string osc_in = {};            ///< OSC: PORT or ADDRESS:PORT; empty: none
+};
+
 /// Arguments of `raks play`.
 struct PlayArguments {
     engine::Settings settings;  ///< of the files and the options
@@ -55,6 +63,7 @@ struct PlayArguments {
     bool is_as_live = false;    ///< songs are analyzed as they come, as an input is
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
+    RemoteArguments remote;                   ///< who else asks for actions
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -70,12 +79,17 @@ struct LiveArguments {
     engine::Settings settings;                ///< of the files and the options
     std::optional<double> duration;           ///< seconds of the input; until stopped when absent
     bool is_headless = false;                 ///< no window
+    bool has_no_avatar = false;               ///< nobody dances: see serve_beats()
     WindowWish window;                        ///< how it is opened
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
+    RemoteArguments remote;                   ///< who else asks for actions
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);
+/// Tells the outputs of an input's music, without window, dancers and dances. Errors: as live(); an
+/// output that cannot be opened.
+[[nodiscard]] ExitCode serve_beats(const LiveArguments& arguments);
 
 /// Arguments of `raks devices`.
 struct DevicesArguments {
@@ -348,6 +362,7 @@ struct BenchArguments {
     std::string model;      ///< the avatar's: file, or a name of `raks avatar list`
     bool as_json = false;   ///< one JSON document instead of text
     double seconds = 20.0;  ///< length of the music
+    bool is_held = false;   ///< latency: beats are tapped and the tempo held
 };
 /// Measures this machine and prints the results.
 [[nodiscard]] ExitCode bench(const BenchArguments& arguments);

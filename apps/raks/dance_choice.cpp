@@ -136,6 +136,22 @@ Expected<void> DanceChoice::select(std::string_view name) {
     return {};
 }
 
+Expected<void> DanceChoice::select_figure(std::string_view name) {
+    const Dancers dancers = look_();
+    const motion::DanceLibrary* const library =
+        dancers.status.is_dancing ? dancers.repertoire->of(dancers.status.dance) : nullptr;
+    if (library == nullptr) {
+        return fail("nobody dances: there is no figure to choose");
+    }
+    const std::vector<std::string_view> names = library->figure_names();
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) {
+        return fail(unknown_name("figure", name, names));
+    }
+    actions_.ask(DancerKind::select_figure, static_cast<double>(at - names.begin()));
+    return {};
+}
+
 Expected<void> DanceChoice::allow(std::string_view name, bool is_allowed) {
     const auto dance = find(name);
     return dance ? allow(*dance, is_allowed) : fail(dance.error());

@@ -51,6 +51,9 @@ class DanceChoice {
     /// The one of this name, allowed or not; empty or "auto": the recognised one. Errors: there is
     /// none; only one is danced.
     [[nodiscard]] Expected<void> select(std::string_view name);
+    /// Goes on to the figure of this name at the end of the one that is danced. Errors: the dance
+    /// has none; nobody dances.
+    [[nodiscard]] Expected<void> select_figure(std::string_view name);
     /// Forbids or allows the one of this name. Errors: there is none; it is the last allowed one.
     [[nodiscard]] Expected<void> allow(std::string_view name, bool is_allowed);
     /// These are forbidden and no others; unknown names are passed over.

@@ -10,6 +10,11 @@
 #include "apps/raks/preset_option.hpp"
 #include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
+#include "engine/remote/listen_place.hpp"
+#include "engine/remote/osc_input.hpp"
+#include "engine/remote/remote_server.hpp"
+
+#include <fmt/format.h>
 
 namespace raks::apps {
 namespace {
@@ -18,6 +23,18 @@ using engine::Settings;
 
 constexpr const char* kMotionHelp =
     "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...";
+
+// Several times, each with one value: what stands behind that is another argument. (The parser
+// holds to that where nearly any number is allowed.)
+void take_one_each_time(CLI::Option& option) {
+    option.expected(1, CLI::detail::expected_max_vector_size - 1)->allow_extra_args(false);
+}
+
+void check_number_of_outputs(const std::string& option, std::size_t number) {
+    if (number > engine::kMostOutputs) {
+        throw CLI::ValidationError(option, fmt::format("at most {}", engine::kMostOutputs));
+    }
+}
 
 // Names and ranges are checked with the settings, after parsing.
 void add_setting_option(CLI::App& app, engine::Settings& settings, const engine::SettingRow& row) {
@@ -31,9 +48,7 @@ void add_setting_option(CLI::App& app, engine::Settings& settings, const engine:
             if constexpr (std::is_same_v<Value, bool>) {
                 app.add_flag(name + ",!--no-" + name.substr(2), value, help);
             } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-                app.add_option(name, value, help)
-                    ->expected(1, static_cast<int>(engine::kMostAvatars))
-                    ->allow_extra_args(false);
+                take_one_each_time(*app.add_option(name, value, help));
             } else {
                 app.add_option(name, value, help);
             }
@@ -50,17 +65,23 @@ void add_as_live_option(CLI::App& app, bool& is_as_live) {
 // A row of the table of outputs each; several of one kind may be told.
 void add_output_options(CLI::App& app, std::vector<engine::OutputWish>& wishes) {
     for (const engine::OutputKind& kind : engine::output_kinds()) {
-        app.add_option_function<std::vector<std::string>>(
-               "--" + std::string(kind.option),
-               [&kind, &wishes](const std::vector<std::string>& targets) {
-                   for (const std::string& target : targets) {
-                       wishes.push_back({&kind, target});
-                   }
-               },
-               std::string(kind.help))
-            ->type_name(std::string(kind.target))
-            ->expected(1, static_cast<int>(engine::kMostOutputs))
-            ->allow_extra_args(false);
+        const std::string name = "--" + std::string(kind.option);
+        auto* const option = app.add_option_function<std::vector<std::string>>(
+            name,
+            [&kind, &wishes, name](const std::vector<std::string>& targets) {
+                check_number_of_outputs(name, targets.size());
+                // Those of a preset.
+                std::erase_if(wishes, [&](const auto& wish) { return wish.kind == &kind; });
+                for (const std::string& target : targets) {
+                    wishes.push_back({&kind, target});
+                }
+            },
+            std::string(kind.help));
+        take_one_each_time(*option);
+        option->type_name(std::string(kind.target))->check([&kind](const std::string& target) {
+            const auto checked = kind.check(target);
+            return checked ? std::string() : checked.error().message;
+        });
     }
 }
 
@@ -90,18 +111,18 @@ void add_video_options(CLI::App& app,
                        VideoArguments& video,
                        const std::vector<engine::OutputWish>& outputs,
                        const Settings& settings) {
-    app.add_option_function<std::vector<std::string>>(
-           "--video-out",
-           [&video](const std::vector<std::string>& targets) {
-               video.wishes.clear();  // those of a preset
-               for (const std::string& target : targets) {
-                   video.wishes.push_back({.target = target});
-               }
-           },
-           "the pictures go there, too: pipewire, pipewire:NAME, a pipe with a name, - for stdout")
-        ->type_name("TARGET")
-        ->expected(1, static_cast<int>(engine::kMostOutputs))
-        ->allow_extra_args(false);
+    auto* const targets_option = app.add_option_function<std::vector<std::string>>(
+        "--video-out",
+        [&video](const std::vector<std::string>& targets) {
+            check_number_of_outputs("--video-out", targets.size());
+            video.wishes.clear();  // those of a preset
+            for (const std::string& target : targets) {
+                video.wishes.push_back({.target = target});
+            }
+        },
+        "the pictures go there, too: pipewire, pipewire:NAME, a pipe with a name, - for stdout");
+    targets_option->type_name("TARGET");
+    take_one_each_time(*targets_option);
     const CLI::Option* const form =
         app.add_option("--video-form", "pictures in a pipe: rgba (premultiplied) or y4m (no alpha)")
             ->check(one_of({"rgba", "y4m"}));
@@ -119,6 +140,33 @@ void add_video_options(CLI::App& app,
         }
         check_video(video, outputs, settings);
     });
+}
+
+// Who else may ask for actions.
+void add_remote_options(CLI::App& app, RemoteArguments& remote) {
+    app.add_option(
+           "--osc-in", remote.osc_in, "OSC asks for actions: PORT of this machine, ADDRESS:PORT")
+        ->type_name("PORT")
+        ->check([](const std::string& place) {
+            const auto checked = engine::check_osc_input(place);
+            return checked ? std::string() : checked.error().message;
+        });
+    auto* const server =
+        app.add_flag("--remote", remote.has_server, "HTTP and a page for phones ask for actions");
+    app.add_option("--remote-address", remote.address, "where it listens: ADDRESS, ADDRESS:PORT")
+        ->type_name("ADDRESS")
+        ->needs(server)
+        ->check([](const std::string& place) {
+            const auto parsed = engine::parse_listen_place(place, engine::RemoteServer::kUsualPort);
+            return parsed ? std::string() : parsed.error().message;
+        });
+    const std::string help = "what opens the page from elsewhere: new at every start, or keep";
+    app.add_option_function<std::string>(
+           "--remote-token",
+           [&remote](const std::string& word) { remote.keeps_token = word == "keep"; },
+           help)
+        ->needs(server)
+        ->check(one_of({"new", "keep"}));
 }
 
 void add_window_options(CLI::App& app, WindowWish& window) {
@@ -142,7 +190,7 @@ void add_section_options(CLI::App& app, Section& section) {
 // Each add_ function below adds one command with its options.
 void add_play(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "play", "play files and dance to them", play);
-    add_preset_option(*app, a->settings, &a->video);
+    add_preset_option(*app, a->settings, &a->video, &a->outputs);
     app->add_option("files",
                     a->files,
                     "music files, folders, playlists (.m3u, .pls, .xspf), - for a pipe; none: "
@@ -162,6 +210,7 @@ void add_play(RaksCommands& table) {
     add_section_options(*app, a->section);
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
+    add_remote_options(*app, a->remote);
     add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
@@ -171,7 +220,7 @@ void add_open(RaksCommands& table) {
                               "open",
                               "open the window: dance to files, or to what this computer plays",
                               open);
-    add_preset_option(*app, a->settings, &a->video);
+    add_preset_option(*app, a->settings, &a->video, &a->outputs);
     app->add_option("files", a->files, "music files, folders, playlists; none: listen");
     add_setting_options(*app,
                         a->settings,
@@ -183,12 +232,13 @@ void add_open(RaksCommands& table) {
     add_window_options(*app, a->window);
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
+    add_remote_options(*app, a->remote);
     add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
 void add_live(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "live", "listen to an input and dance to it", live);
-    add_preset_option(*app, a->settings, &a->video);
+    add_preset_option(*app, a->settings, &a->video, &a->outputs);
     add_setting_options(
         *app, a->settings, {&Settings::device, &Settings::audio_system, &Settings::buffer_ms});
     // The arguments are captured by their pointer: they outlive the parsing.
@@ -198,10 +248,14 @@ void add_live(RaksCommands& table) {
            "seconds to listen; until stopped when not given")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
     app->add_flag("--headless", a->is_headless, "no window");
+    auto* const bare = app->add_flag(
+        "--no-avatar", a->has_no_avatar, "nobody dances: no window, only beats for other programs");
     add_window_options(*app, a->window);
     add_setting_options(*app, a->settings, engine::kLive);
     add_output_options(*app, a->outputs);
+    add_remote_options(*app, a->remote);
     add_video_options(*app, a->video, a->outputs, a->settings);
+    bare->excludes(app->get_option("--video-out"))->excludes(app->get_option("--record"));
 }
 
 void add_render(RaksCommands& table) {

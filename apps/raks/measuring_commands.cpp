@@ -285,6 +285,7 @@ void add_bench(RaksCommands& table) {
     });
     app->add_flag("--json", a->as_json, "one JSON document");
     app->add_option("--duration", a->seconds, "seconds of music")->check(in_range(5.0, 3600.0));
+    app->add_flag("--held", a->is_held, "latency: beats are tapped, and the tempo is held");
 }
 
 }  // namespace

@@ -8,12 +8,16 @@ ExitCode play(const PlayArguments& arguments) { return ShowSession(arguments).pl
 ExitCode open(const PlayArguments& arguments) { return ShowSession(arguments).open(); }
 
 ExitCode live(const LiveArguments& arguments) {
+    if (arguments.has_no_avatar) {
+        return serve_beats(arguments);
+    }
     PlayArguments shared;
     shared.settings = arguments.settings;
     shared.is_headless = arguments.is_headless;
     shared.window = arguments.window;
     shared.outputs = arguments.outputs;
     shared.video = arguments.video;
+    shared.remote = arguments.remote;
     return ShowSession(shared, arguments.duration).live();
 }
 

@@ -180,6 +180,7 @@ StageLoop::Options ShowSession::stage_options() const {
             listens_for_,
             arguments_.outputs,
             arguments_.video,
+            arguments_.remote,
             kept_};
 }
 

@@ -27,10 +27,27 @@ void StageLoop::bind(engine::ActionDispatcher& actions) {
     actions.on(Action::next_formation, [this](double) {
         say(fmt::format("formation {} (E: another one)", formations_->ask_for_next()));
     });
-    actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
+    actions.on_text(Action::next_formation,
+                    [this](const std::string& name) { return formations_->ask_for(name); });
     if (window_) {
+        actions.on(Action::toggle_figure_view, [this](double) { toggle_figure_view(); });
+        bind_calm(actions);
         actions.on(Action::record, [this](double) { toggle_recording(); });
     }
+}
+
+// Camera and light, which a window alone has.
+void StageLoop::bind_calm(engine::ActionDispatcher& actions) {
+    const auto set = [this](bool is_calm) {
+        is_calm_ = is_calm;
+        staging_.set_liveliness(is_calm ? render::Liveliness::calm : render::Liveliness::usual);
+        say(is_calm ? "calm: less motion in the picture" : "as lively as usual");
+    };
+    actions.on(Action::calm, [this, set](double) { set(!is_calm_); });
+    actions.on_text(Action::calm, [set](const std::string& word) {
+        set(word == "on");
+        return Expected<void>();
+    });
 }
 
 // What a file has, and not an input.

@@ -37,6 +37,19 @@ void nap(Nanos span) {
 
 bool is_stop_requested() { return stop_signal().has_value(); }
 
+// "--osc studio:9000   412 sent, 3 lost (nobody listens there; it is sent on)"
+std::string in_words(const engine::OutputStatus& status) {
+    std::string words = fmt::format("{}   {} sent", status.name, status.sent);
+    if (status.dropped > 0) {
+        words += fmt::format(", {} lost", status.dropped);
+    }
+    // The line begins with the place.
+    if (const std::size_t place = status.trouble.find(": "); place != std::string::npos) {
+        words += fmt::format(" ({})", status.trouble.substr(place + 2));
+    }
+    return words;
+}
+
 }  // namespace
 
 // 20 characters from -60 to 0 dBFS.
@@ -88,10 +101,19 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
     if (!outputs) {
         return fail(outputs.error());
     }
+    auto remote = RemoteDesk::open(options.remote);
+    if (!remote) {
+        return fail(remote.error());
+    }
     std::unique_ptr<StageLoop> loop(new StageLoop(settings, options, setup));
     loop->outputs_ = std::move(*outputs);
+    loop->remote_ = std::move(*remote);
     if (auto done = loop->open_pictures(std::move(opened)); !done) {
         return fail(done.error());
+    }
+    // Not over the picture, which others may see.
+    for (const std::string& line : loop->remote_->opening_lines()) {
+        apps::say(line);
     }
     return loop;
 }
@@ -178,6 +200,7 @@ StageLoop::StageLoop(const engine::Settings& settings, const Options& options, S
       recording_(settings_),
       staging_(static_cast<std::uint64_t>(settings.seed),
                settings.calm ? render::Liveliness::calm : render::Liveliness::usual),
+      is_calm_(settings.calm),
       live_actions_(static_cast<float>(settings.volume),
                     [this](const std::string& line) { say(line); }),
       choice_(
@@ -266,7 +289,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     }
     recording_.follow(graph);
     keep_memory();
-    outputs_->follow(graph.feed());
+    outputs_->follow(graph.feed(), dances_);
     const StageEnd end = run_until_end(graph);
     // Nothing is asked of a graph that has gone.
     live_actions_.detach();
@@ -282,9 +305,12 @@ StageEnd StageLoop::run_until_end(engine::LiveGraph& graph) {
     live_actions_.attach(target);
     carry_over();
     bind(actions);
-    if (!window_) {
-        run_headless();
-    } else if (window_->run(*this, actions) == engine::WindowEnd::quit) {
+    actions_ = &actions;
+    remote_->publish(choices_for_remote());
+    const bool is_quit =
+        window_ ? window_->run(*this, actions) == engine::WindowEnd::quit : run_headless();
+    actions_ = nullptr;
+    if (is_quit) {
         return StageEnd::quit;
     }
     note_figure(graph);
@@ -299,6 +325,9 @@ StageEnd StageLoop::run_until_end(engine::LiveGraph& graph) {
 // With a window the overlay counts them.
 void StageLoop::say_losses(const engine::LiveCounters& lost) const {
     std::vector<std::string> lines = video_ ? video_->losses() : std::vector<std::string>();
+    for (std::string& line : outputs_->losses()) {
+        lines.push_back(std::move(line));
+    }
     if (const std::string words = engine::losses_in_words(lost); !words.empty()) {
         lines.push_back("while it ran: " + words);
     }
@@ -312,8 +341,8 @@ const std::string& StageLoop::source_name() const {
     return graph_->playback() != nullptr ? source_.name : graph_->device().name;
 }
 
-// The same work as with a window, except for pictures.
-void StageLoop::run_headless() {
+// The same work as with a window, except for pictures. Nobody can quit by it.
+bool StageLoop::run_headless() {
     ProgressLine status(source_name());
     while (!is_stop_requested() && !is_finished()) {
         advance(0.0);
@@ -324,6 +353,7 @@ void StageLoop::run_headless() {
         draw_headless();
         nap(studio_ ? kDrawingNap : kHeadlessNap);
     }
+    return false;
 }
 
 void StageLoop::draw_headless() {
@@ -415,6 +445,7 @@ void StageLoop::advance(double /*seconds*/) {
         say(*trouble);
     }
     take_loaded();
+    serve_remote();
     if (source_.each_picture) {
         source_.each_picture();
     }
@@ -516,6 +547,8 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
     }
     describe_moment(shown, *dances_, overlay);
     describe(stage, overlay);
+    // In the window alone: who sees it may come in.
+    overlay.code = remote_->code_for_phones();
 }
 
 // The parts of the overlay that a moment does not know: source, place, latency and counters.
@@ -548,6 +581,23 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
     overlay.drops = counters.dropped_states;
     overlay.xruns = counters.xruns;
     overlay.late = counters.underruns;
+    describe_targets(overlay);
+}
+
+// A number that changes with every picture could not be read.
+void StageLoop::describe_targets(render::OverlayState& overlay) {
+    constexpr Nanos kShownFor = std::chrono::milliseconds(500);
+    if (const HostTime now = HostClock::now(); now >= targets_shown_until_) {
+        targets_shown_until_ = now + kShownFor;
+        targets_.clear();
+        const std::vector<engine::OutputStatus> all = outputs_->status();
+        lost_before_.resize(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            targets_.push_back({in_words(all[i]), all[i].dropped > lost_before_[i]});
+            lost_before_[i] = all[i].dropped;
+        }
+    }
+    overlay.targets = targets_;
 }
 
 // Who hears nothing wants to know what is listened to.

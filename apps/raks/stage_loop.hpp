@@ -16,6 +16,7 @@
 #include "apps/raks/kept_window.hpp"
 #include "apps/raks/play_queue.hpp"
 #include "apps/raks/preset_choice.hpp"
+#include "apps/raks/remote_desk.hpp"
 #include "apps/raks/show_recording.hpp"
 #include "apps/raks/source_choice.hpp"
 #include "apps/raks/video_show.hpp"
@@ -83,6 +84,7 @@ class StageLoop final : private engine::WindowContent {
         std::optional<double> seconds;                 ///< ends after this much of the music
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
         VideoArguments video = {};                     ///< who has the pictures, too
+        RemoteArguments remote = {};                   ///< who else asks for actions
         KeptWindow kept = {};                          ///< where the window was before
     };
     /// A window that shows the stage while something is loaded, and the look that it has.
@@ -156,12 +158,17 @@ class StageLoop final : private engine::WindowContent {
     void bind_playing(engine::ActionDispatcher& actions);
     void bind_choices(engine::ActionDispatcher& actions);
     void bind_presets(engine::ActionDispatcher& actions);
+    void bind_calm(engine::ActionDispatcher& actions);
+    void serve_remote();
+    [[nodiscard]] engine::RemoteState state_for_remote();
+    [[nodiscard]] engine::RemoteChoices choices_for_remote() const;
     [[nodiscard]] SourceChoice::Means means_of_sources();
     [[nodiscard]] engine::Preset preset_now();
     void take_preset(const engine::Preset& preset);
+    void change_told(const std::vector<std::string>& targets);
     void change_outputs(const std::vector<std::string>& targets);
     void say_fault(const Expected<void>& done);
-    void ask(StageWish wish);
+    [[nodiscard]] Expected<void> ask(StageWish wish);
     void play_dropped(const std::vector<Path>& files);
     void learn_dropped(const Path& place);
     void load_clip(const Path& file);
@@ -171,10 +178,11 @@ class StageLoop final : private engine::WindowContent {
     [[nodiscard]] Expected<void> open_pictures(std::optional<OpenedWindow> opened);
     [[nodiscard]] Expected<void> open_studio();
     [[nodiscard]] StageEnd run_until_end(engine::LiveGraph& graph);
-    void run_headless();
+    bool run_headless();
     void draw_headless();
     void change_clothes(const engine::ShownMoment& shown);
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
+    void describe_targets(render::OverlayState& overlay);
     void describe_silence(const engine::StageState& stage, render::OverlayState& overlay);
     [[nodiscard]] DanceChoice::Dancers dancers();
     void keep_dance();
@@ -210,8 +218,13 @@ class StageLoop final : private engine::WindowContent {
     std::optional<engine::DressByDance> dress_;  // where avatars are drawn
     bool has_finished_ = false;
     engine::Staging staging_;
+    bool is_calm_;
     engine::LiveActions live_actions_;
+    std::unique_ptr<RemoteDesk> remote_;
     std::unique_ptr<engine::Outputs> outputs_;
+    std::vector<render::OverlayTarget> targets_;  // of outputs_, as shown
+    std::vector<std::uint64_t> lost_before_;      // by each of them, as last asked
+    HostTime targets_shown_until_{};              // then they are asked again
     DanceChoice choice_;
     SourceChoice sources_;
     PresetChoice presets_;
@@ -229,6 +242,7 @@ class StageLoop final : private engine::WindowContent {
     std::optional<HostTime> silent_since_;
     // While run() runs.
     engine::LiveGraph* graph_ = nullptr;
+    const engine::ActionDispatcher* actions_ = nullptr;
     StageSource source_;
     std::optional<StageEnd> wish_;
     bool had_ended_ = false;

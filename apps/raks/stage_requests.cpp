@@ -35,10 +35,10 @@ SourceChoice::Means StageLoop::means_of_sources() {
     means.level_dbfs = [this] { return graph_->analysis().level_dbfs(HostClock::now()); };
     means.queue = [this] { return source_.queue; };
     means.listen = [this](std::string name) {
-        ask({.kind = StageWish::Kind::input, .name = std::move(name)});
+        say_fault(ask({.kind = StageWish::Kind::input, .name = std::move(name)}));
     };
     means.play_on = [this](std::string name) {
-        ask({.kind = StageWish::Kind::output, .name = std::move(name)});
+        say_fault(ask({.kind = StageWish::Kind::output, .name = std::move(name)}));
     };
     means.play_file = [this](std::size_t place) {
         source_.queue->go_to(place);
@@ -55,17 +55,19 @@ void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
     });
     actions.on_text(Action::choose_dance, [this](const std::string& name) {
         stop_performing();
-        say_fault(choice_.select(name));
+        return choice_.select(name);
     });
+    actions.on_text(Action::choose_figure,
+                    [this](const std::string& name) { return choice_.select_figure(name); });
     actions.on_text(Action::forbid_dance,
-                    [this](const std::string& name) { say_fault(choice_.allow(name, false)); });
+                    [this](const std::string& name) { return choice_.allow(name, false); });
     actions.on_text(Action::allow_dance,
-                    [this](const std::string& name) { say_fault(choice_.allow(name, true)); });
+                    [this](const std::string& name) { return choice_.allow(name, true); });
     actions.on_text(Action::choose_source, [this](const std::string& name) {
-        ask({.kind = StageWish::Kind::input, .name = name});
+        return ask({.kind = StageWish::Kind::input, .name = name});
     });
     actions.on_text(Action::choose_output, [this](const std::string& name) {
-        ask({.kind = StageWish::Kind::output, .name = name});
+        return ask({.kind = StageWish::Kind::output, .name = name});
     });
     if (!window_) {
         return;
@@ -94,9 +96,9 @@ void StageLoop::bind_presets(engine::ActionDispatcher& actions) {
             PresetChoice::kName, PresetChoice::kSavePage, [this] { return presets_.offer(); });
     });
     actions.on_text(Action::choose_preset,
-                    [this](const std::string& name) { say_fault(presets_.take(name)); });
+                    [this](const std::string& name) { return presets_.take(name); });
     actions.on_text(Action::save_preset,
-                    [this](const std::string& name) { say_fault(presets_.save(name)); });
+                    [this](const std::string& name) { return presets_.save(name); });
 }
 
 engine::Preset StageLoop::preset_now() {
@@ -114,6 +116,12 @@ engine::Preset StageLoop::preset_now() {
     preset.outputs.emplace();
     for (const engine::VideoWish& wish : options_.video.wishes) {
         preset.outputs->push_back(wish.target);
+    }
+    preset.told.emplace();
+    for (const engine::OutputWish& wish : options_.outputs) {
+        if (wish.kind->is_kept) {
+            preset.told->push_back(wish.text());
+        }
     }
     return preset;
 }
@@ -151,6 +159,41 @@ void StageLoop::take_preset(const engine::Preset& preset) {
     if (preset.outputs) {
         change_outputs(*preset.outputs);
     }
+    if (preset.told) {
+        change_told(*preset.told);
+    }
+}
+
+// Lines to files stay. What cannot be told is said, and the others are.
+void StageLoop::change_told(const std::vector<std::string>& targets) {
+    if (targets == *preset_now().told) {
+        return;
+    }
+    std::vector<engine::OutputWish> wishes = options_.outputs;
+    const bool writes_files = std::erase_if(wishes, [](const auto& wish) {
+                                  return wish.kind->is_kept;
+                              }) < options_.outputs.size();
+    if (writes_files) {
+        say("--lines: who is told stays as it is while lines are written");
+        return;
+    }
+    for (const std::string& target : targets) {
+        if (auto wish = engine::parse_output_wish(target)) {
+            wishes.push_back(std::move(*wish));
+        } else {
+            say(wish.error().message);
+        }
+    }
+    auto outputs = engine::Outputs::open(wishes);
+    if (!outputs) {
+        say(outputs.error().message);
+        return;
+    }
+    options_.outputs = wishes;
+    outputs_ = std::move(*outputs);
+    if (graph_ != nullptr) {
+        outputs_->follow(graph_->feed(), dances_);
+    }
 }
 
 // The outputs that are open already stay where they are all that is asked for.
@@ -184,16 +227,16 @@ void StageLoop::say_fault(const Expected<void>& done) {
 }
 
 // A pipe cannot be opened twice, so that it ends with what comes in its place.
-void StageLoop::ask(StageWish wish) {
+Expected<void> StageLoop::ask(StageWish wish) {
     engine::Playback* const playback = graph_->playback();
     const bool goes_on =
         wish.kind == StageWish::Kind::output || wish.kind == StageWish::Kind::dances;
     if (goes_on && playback != nullptr && !playback->player().can_seek()) {
-        say("not while sound comes through a pipe");
-        return;
+        return fail("not while sound comes through a pipe");
     }
     asked_ = std::move(wish);
     wish_ = StageEnd::wish;
+    return {};
 }
 
 bool StageLoop::take_dropped(const std::vector<std::string>& paths) {
@@ -222,7 +265,7 @@ void StageLoop::play_dropped(const std::vector<Path>& files) {
     const bool is_queue_open =
         list.name() == SourceChoice::kName && list.page() == SourceChoice::kQueuePage;
     if (!is_queue_open || source_.queue == nullptr) {
-        ask({.kind = StageWish::Kind::music, .files = files});
+        say_fault(ask({.kind = StageWish::Kind::music, .files = files}));
         return;
     }
     const auto added = source_.queue->add(files);
@@ -271,9 +314,9 @@ void StageLoop::take_loaded() {
     if (is_ready(learning_)) {
         if (auto dance = learning_.get()) {
             stop_performing();
-            ask({.kind = StageWish::Kind::dances,
-                 .name = std::move(dance->name),
-                 .setup = std::move(dance->setup)});
+            say_fault(ask({.kind = StageWish::Kind::dances,
+                           .name = std::move(dance->name),
+                           .setup = std::move(dance->setup)}));
         } else {
             say(dance.error().message);
         }

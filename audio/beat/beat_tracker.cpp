@@ -381,6 +381,7 @@ void BeatTracker::publish(HopIndex hop, MusicState& state) const noexcept {
     state.grid.bar_origin = Beats(static_cast<double>(bars_.origin()));
     state.grid.confidence = confidence_;
     state.grid.bar_confidence = bars_.confidence();
+    state.is_tempo_held = is_tempo_held_;
     const double rival_bpm = verdict_.rival_rate * state.grid.tempo.bpm();
     state.rival = {verdict_.rival > 0.0F ? rival_bpm : 0.0, verdict_.rival};
     state.beat_parts = margins_.for_three() > 0.0F ? 3 : 2;

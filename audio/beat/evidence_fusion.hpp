@@ -38,7 +38,8 @@ class EvidenceFusion {
     FusedEvidence next(const NetworkInput::Frame& frame,
                        std::span<const float, OnsetDetector::kWindow> window) noexcept
         RAKS_NONBLOCKING;
-    /// The sound continues elsewhere: BeatNet hears it from its beginning, and counts less at first.
+    /// The sound continues elsewhere: BeatNet hears it from its beginning, and counts less at
+    /// first.
     void jump() noexcept RAKS_NONBLOCKING;
     /// Forgets the stream.
     void reset() noexcept RAKS_NONBLOCKING;

@@ -8,8 +8,9 @@
 
 namespace raks::audio {
 
-/// Tempo from a series of taps: the median of the last intervals (at most seven), from the third
-/// tap on. A pause of more than 2 s starts a new series.
+/// Tempo from a series of taps, from the third tap on: the median slope of all pairs of the last
+/// twelve (Theil 1950, Sen 1968), which neither one bad tap nor a delay that trembles moves far.
+/// Other taps are followed after a few. A pause of more than 2 s starts a new series.
 /// Threads: one. Real-time: yes.
 class TapTempo {
  public:
@@ -19,7 +20,10 @@ class TapTempo {
     void reset() noexcept RAKS_NONBLOCKING { count_ = 0; }
 
  private:
-    static constexpr std::size_t kTaps = 8;
+    static constexpr std::size_t kTaps = 12;
+    [[nodiscard]] double usual_interval() const noexcept RAKS_NONBLOCKING;
+    [[nodiscard]] std::size_t first_of_this_tempo(double usual) const noexcept RAKS_NONBLOCKING;
+
     std::array<StreamTime, kTaps> taps_{};  // oldest first
     std::size_t count_ = 0;
 };

@@ -40,6 +40,7 @@ void FormTracker::set_part(MusicState& state) const noexcept {
 void FormTracker::advance(std::span<const float, HopListener::kMelBands> mel,
                           MusicState& state) noexcept RAKS_NONBLOCKING {
     sound_ = listener_.advance(state.level_dbfs, mel);
+    state.spectrum = spectrum_meter_.advance(state.level_dbfs, mel);
     const BeatLengths lengths = lengths_of(state.grid);
     MusicEvent event = pauses_.advance(state.hop, sound_.level, lengths.beat);
     if (event.kind == MusicEvent::Kind::stop) {
@@ -72,6 +73,7 @@ void FormTracker::reset() noexcept RAKS_NONBLOCKING {
     listener_.reset();
     pauses_.reset();
     energy_meter_.reset();
+    spectrum_meter_.reset();
     sections_.reset();
     accents_.reset();
     sound_ = {};

@@ -9,17 +9,18 @@
 #include "audio/form/hop_sound.hpp"
 #include "audio/form/pause_detector.hpp"
 #include "audio/form/section_tracker.hpp"
+#include "audio/form/spectrum_meter.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
 
 namespace raks::audio {
 
-/// What the music of a stream is doing: energy, part, event and accent of each MusicState, from the
-/// past alone. Nothing depends on how loud the whole input is, down to -58 dBFS. Threads: one.
-/// Real-time: yes; about 3 us a hop.
+/// What the music of a stream is doing: spectrum, energy, part, event and accent of each
+/// MusicState, from the past alone. Nothing depends on how loud the whole input is, down to -58
+/// dBFS. Threads: one. Real-time: yes; about 3 us a hop.
 class FormTracker {
  public:
-    /// One hop; sets the four fields. `state`: its hop, level and grid are read. `mel`:
+    /// One hop; sets the five fields. `state`: its hop, level and grid are read. `mel`:
     /// OnsetDetector::mel_magnitudes() of the hop.
     void advance(std::span<const float, HopListener::kMelBands> mel,
                  MusicState& state) noexcept RAKS_NONBLOCKING;
@@ -39,6 +40,7 @@ class FormTracker {
     HopListener listener_;
     PauseDetector pauses_;
     EnergyMeter energy_meter_;
+    SpectrumMeter spectrum_meter_;
     SectionTracker sections_;
     AccentDetector accents_;
     HopSound sound_;

@@ -14,6 +14,10 @@ std::string not_here(const ActionRow& row) {
 }  // namespace
 
 void ActionDispatcher::on(Action action, Handler handler) {
+    on_dated(action, [handler = std::move(handler)](double value, HostTime) { handler(value); });
+}
+
+void ActionDispatcher::on_dated(Action action, DatedHandler handler) {
     handlers_[static_cast<std::size_t>(action)] = std::move(handler);
 }
 
@@ -43,7 +47,8 @@ Expected<void> ActionDispatcher::dispatch(const ActionRequest& request) const {
     if (!taken->remark.empty()) {
         say_(taken->remark);
     }
-    handlers_[static_cast<std::size_t>(request.action)](taken->value);
+    handlers_[static_cast<std::size_t>(request.action)](taken->value,
+                                                        request.came.value_or(HostClock::now()));
     return {};
 }
 
@@ -56,8 +61,7 @@ Expected<void> ActionDispatcher::dispatch_text(const ActionRow& row,
     if (!handler) {
         return fail(not_here(row));
     }
-    handler(text);
-    return {};
+    return handler(text);
 }
 
 Expected<void> ActionDispatcher::dispatch(std::string_view name,

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "audio/beat/analyzer_command.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
 #include "engine/setup/settings.hpp"
@@ -22,6 +23,11 @@ constexpr ActionValue step(ValueUnit unit, double most) {
 // The value of an action that picks one of several, numbered from 1.
 constexpr ActionValue choice(double highest) {
     return {ValueKind::choice, ValueUnit::number, 1.0, highest};
+}
+
+// The value of an action that sets it.
+constexpr ActionValue level(ValueUnit unit, double lowest, double highest) {
+    return {ValueKind::level, unit, lowest, highest};
 }
 
 // Help texts of the four arrow keys: two keys with the same text share a line of the help panel.
@@ -113,6 +119,11 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      step(ValueUnit::bpm, 100.0),
      // "=" is "+" without Shift on many layouts; both raise the tempo.
      {{{key_of(U'-'), "-", -1.0}, {key_of(U'+'), "+", 1.0}, {key_of(U'='), "=", 1.0}}}},
+    {Action::set_tempo,
+     "set-tempo",
+     ActionGroup::tempo,
+     "hold this tempo",
+     level(ValueUnit::bpm, audio::kSlowestTempo.bpm(), audio::kFastestTempo.bpm())},
     {Action::hold_tempo,
      "hold-tempo",
      ActionGroup::tempo,
@@ -165,6 +176,13 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "keep to the figure",
      {},
      {{{key_of(U'k'), "K"}}}},
+    {Action::choose_figure,
+     "figure",
+     ActionGroup::dance,
+     "the figure of this name",
+     {},
+     {},
+     TextKind::figure},
     {Action::next_dance,
      "next-dance",
      ActionGroup::dance,
@@ -203,13 +221,15 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      ActionGroup::dance,
      "alone, couple, several",
      {},
-     {{{key_of(U'e'), "E"}}}},
+     {{{key_of(U'e'), "E"}}},
+     TextKind::formation},
     {Action::next_avatar,
      "avatar",
      ActionGroup::dance,
      "another avatar",
      {},
-     {{{key_of(U'a'), "A"}}}},
+     {{{key_of(U'a'), "A"}}},
+     TextKind::avatar},
     // view
     {Action::choose_preset,
      "preset",
@@ -236,7 +256,8 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      ActionGroup::view,
      "another camera",
      {},
-     {{{key_of(U'v'), "V"}}}},
+     {{{key_of(U'v'), "V"}}},
+     TextKind::camera},
     {Action::select_camera,
      "select-camera",
      ActionGroup::view,
@@ -249,7 +270,13 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "reset the camera",
      {},
      {{{key_of(U'c'), "C"}, {Key::home, "Home"}}}},
-    {Action::next_theme, "theme", ActionGroup::view, "another theme", {}, {{{key_of(U'l'), "L"}}}},
+    {Action::next_theme,
+     "theme",
+     ActionGroup::view,
+     "another theme",
+     {},
+     {{{key_of(U'l'), "L"}}},
+     TextKind::theme},
     {Action::next_backdrop,
      "backdrop",
      ActionGroup::view,
@@ -269,6 +296,13 @@ constexpr std::array<ActionRow, kActionCount> kTable = {{
      "nothing but the picture",
      {},
      {{{Key::f10, "F10"}}}},
+    {Action::calm,
+     "calm",
+     ActionGroup::view,
+     "less motion in the picture",
+     {},
+     {},
+     TextKind::on_off},
     // window
     {Action::toggle_fullscreen,
      "fullscreen",
@@ -412,6 +446,13 @@ Expected<TakenValue> take_value(const ActionRow& row, double value) {
     if (is_inside) {
         return TakenValue{value, {}};
     }
+    if (range.kind == ValueKind::level) {
+        return fail(fmt::format("action {}: {} must be {:g} to {}",
+                                row.name,
+                                with_unit(value, range.unit),
+                                range.lowest,
+                                with_unit(range.highest, range.unit)));
+    }
     const double nearest = std::clamp(value, range.lowest, range.highest);
     return TakenValue{nearest,
                       fmt::format("action {}: {} is too far, {} is taken",
@@ -431,6 +472,13 @@ Expected<void> check_text(const ActionRow& row, std::string_view text) {
     if (text.empty() || text.size() > kLongest || !is_line || !is_utf8(text)) {
         return fail(fmt::format(
             "action {}: a name is one line of 1 to {} bytes in UTF-8", row.name, kLongest));
+    }
+    const bool is_a_name = row.text == TextKind::avatar || row.text == TextKind::theme;
+    if (is_a_name && text.find('/') != std::string_view::npos) {
+        return fail(fmt::format("action {}: a name is taken, no path", row.name));
+    }
+    if (row.text == TextKind::on_off && text != "on" && text != "off") {
+        return fail(fmt::format("action {}: it is on or off", row.name));
     }
     if (row.text == TextKind::backdrop) {
         if (const auto parsed = parse_backdrop(text); !parsed) {

@@ -12,6 +12,7 @@
 
 #include "base/expected.hpp"
 #include "base/key.hpp"
+#include "base/time.hpp"
 
 /// What a person may ask of a running show, as one table: keys and the help panel are made from it,
 /// and whatever else asks (a remote control, a MIDI controller) finds names, units and ranges here.
@@ -35,6 +36,7 @@ enum class Action : std::uint8_t {
     double_tempo,
     three_two,
     change_tempo,
+    set_tempo,
     hold_tempo,
     release_tempo,
     nudge_beats,
@@ -43,6 +45,7 @@ enum class Action : std::uint8_t {
     next_figure,
     select_figure,
     keep_figure,
+    choose_figure,
     next_dance,
     choose_dance,
     forbid_dance,
@@ -61,6 +64,7 @@ enum class Action : std::uint8_t {
     next_backdrop,
     toggle_overlay,
     clean_picture,
+    calm,
     // window
     toggle_fullscreen,
     next_monitor,
@@ -72,7 +76,7 @@ enum class Action : std::uint8_t {
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 46;
+inline constexpr std::size_t kActionCount = 49;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {
@@ -80,6 +84,8 @@ struct ActionRequest {
     double value = 0.0;  ///< in the unit of the action's row; ignored by an action without a value
     std::string text{};  ///< as the row's; empty: none, and the action asks for it or goes on to
                          ///< the next one
+    /// When it was asked for; nothing: when it is carried out.
+    std::optional<HostTime> came{};
 
     friend bool operator==(const ActionRequest&, const ActionRequest&) = default;
 };
@@ -94,11 +100,12 @@ enum class ValueUnit : std::uint8_t { seconds, milliseconds, bpm, share, number 
 enum class ValueKind : std::uint8_t {
     step,    ///< added to what is there; a held key repeats it; out of range it is clamped
     choice,  ///< a whole number that names one of several; out of range it is refused
+    level,   ///< what is there from then on; out of range it is refused
 };
 
 /// The value of an action: unit and range, both ends included.
 struct ActionValue {
-    ValueKind kind{};      ///< added to the present value, or one of several
+    ValueKind kind{};      ///< added to the present value, one of several, or the value itself
     ValueUnit unit{};      ///< of the value and of both bounds
     double lowest = 0.0;   ///< the smallest value that is taken
     double highest = 0.0;  ///< the largest value that is taken
@@ -106,11 +113,17 @@ struct ActionValue {
 
 /// What the text of an action names.
 enum class TextKind : std::uint8_t {
-    none,      ///< the action takes no text
-    device,    ///< an input or a loudspeaker, as `--device` and `--output` take it
-    dance,     ///< one of `raks dances`
-    preset,    ///< a preset, as `--preset` takes it
-    backdrop,  ///< as `--backdrop` takes it: stage, transparent, or a colour
+    none,       ///< the action takes no text
+    device,     ///< an input or a loudspeaker, as `--device` and `--output` take it
+    dance,      ///< one of `raks dances`
+    figure,     ///< of the dance that is danced
+    formation,  ///< as `--formation` takes it
+    avatar,     ///< one of `raks avatar list`; no path
+    preset,     ///< a preset, as `--preset` takes it
+    camera,     ///< as `--camera` takes it
+    theme,      ///< as `--theme` takes it; no path
+    backdrop,   ///< as `--backdrop` takes it: stage, transparent, or a colour
+    on_off,     ///< on or off
 };
 
 /// A key that asks for an action, and the value that it gives. Shift matters only for keys without
@@ -159,11 +172,12 @@ struct TakenValue {
     std::string remark;  ///< a line for people when it is not the one that was given, else empty
 };
 /// Checks a value against the row's range. Errors: NaN; a choice that is not one of the row's
-/// numbers. A step out of range, infinite too, is clamped and remarked upon.
+/// numbers; a level out of range. A step out of range, infinite too, is clamped and remarked upon.
 [[nodiscard]] Expected<TakenValue> take_value(const ActionRow& row, double value);
 
 /// Checks a text against the row. Errors: the row takes none; longer than 255 bytes, control
-/// characters or no UTF-8 in it; no backdrop where the row takes one. Whether there is a device, a
+/// characters or no UTF-8 in it; no backdrop, neither on nor off, where the row takes one of these;
+/// a path where it names an avatar or a theme. Whether there is a device, a
 /// dance or a preset of that name is for the handler to say.
 [[nodiscard]] Expected<void> check_text(const ActionRow& row, std::string_view text);
 

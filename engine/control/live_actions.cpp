@@ -9,16 +9,20 @@
 
 namespace raks::engine {
 
-bool GraphTarget::command(audio::AnalyzerCommand::Kind kind, double value) {
-    return graph_.command(kind, value);
+bool GraphTarget::command(audio::AnalyzerCommand::Kind kind, double value, HostTime came) {
+    return graph_.command(kind, value, came);
 }
+
+bool GraphTarget::has_dancers() const { return graph_.has_dancers(); }
 
 bool GraphTarget::command(motion::DancerCommand::Kind kind, double value) {
     return graph_.command(kind, value);
 }
 
 // The grid of the newest published stage, at most one wake-up of the motion thread old.
-Bpm GraphTarget::tempo() { return graph_.stage().music.grid.tempo; }
+Bpm GraphTarget::tempo() {
+    return (graph_.has_dancers() ? graph_.stage().music : graph_.newest_music()).grid.tempo;
+}
 
 Nanos GraphTarget::latency_offset() { return graph_.latency_offset(); }
 
@@ -59,6 +63,12 @@ constexpr bool is_of_file(Action action) {
     return action == Action::pause || action == Action::seek || action == Action::volume;
 }
 
+// Actions that need dancers.
+constexpr bool is_of_dancers(Action action) {
+    return action == Action::next_figure || action == Action::select_figure ||
+           action == Action::keep_figure;
+}
+
 }  // namespace
 
 // An action and the member function that carries it out: one row for each, so that bind() is a
@@ -79,6 +89,7 @@ std::span<const LiveActions::Entry> LiveActions::entries() noexcept {
         Entry{Action::double_tempo, &LiveActions::double_tempo},
         Entry{Action::three_two, &LiveActions::three_two},
         Entry{Action::change_tempo, &LiveActions::change_tempo},
+        Entry{Action::set_tempo, &LiveActions::set_tempo},
         Entry{Action::hold_tempo, &LiveActions::hold_tempo},
         Entry{Action::release_tempo, &LiveActions::release_tempo},
         Entry{Action::nudge_beats, &LiveActions::nudge_beats},
@@ -105,9 +116,13 @@ void LiveActions::attach(LiveTarget& target) {
 
 void LiveActions::bind(ActionDispatcher& actions) {
     for (const Entry& entry : entries()) {
-        if (target_->plays_file() || !is_of_file(entry.action)) {
-            actions.on(entry.action,
-                       [this, handle = entry.handle](double value) { (this->*handle)(value); });
+        if ((target_->plays_file() || !is_of_file(entry.action)) &&
+            (target_->has_dancers() || !is_of_dancers(entry.action))) {
+            actions.on_dated(entry.action,
+                             [this, handle = entry.handle](double value, HostTime came) {
+                                 came_ = came;
+                                 (this->*handle)(value);
+                             });
         }
     }
 }
@@ -121,13 +136,19 @@ void LiveActions::brief_dancers() {
 
 // The commands cross to a real-time thread through a bounded queue; a full queue loses this
 // command, and the person is told so.
-template <typename Kind>
-bool LiveActions::command(Kind kind, double value) {
-    const bool is_queued = target_->command(kind, value);
+bool LiveActions::said_unless(bool is_queued) {
     if (!is_queued) {
         say_("too many commands at once: this one is left out");
     }
     return is_queued;
+}
+
+bool LiveActions::command(AnalyzerKind kind, double value) {
+    return said_unless(target_->command(kind, value, came_));
+}
+
+bool LiveActions::command(DancerKind kind, double value) {
+    return said_unless(target_->command(kind, value));
 }
 
 void LiveActions::ask(DancerKind kind, double value) {
@@ -184,7 +205,13 @@ void LiveActions::change_tempo(double bpm) {
     // The tracker takes the command one block later: of two quick steps the second must start from
     // the tempo asked for by the first, not from the tempo that the tracker still reports.
     const Bpm now = wished_tempo_.value_or(target_->tempo());
-    const Bpm wished = std::clamp(Bpm(now.bpm() + bpm), audio::kSlowestTempo, audio::kFastestTempo);
+    hold_at(Bpm(now.bpm() + bpm));
+}
+
+void LiveActions::set_tempo(double bpm) { hold_at(Bpm(bpm)); }
+
+void LiveActions::hold_at(Bpm tempo) {
+    const Bpm wished = std::clamp(tempo, audio::kSlowestTempo, audio::kFastestTempo);
     // Only a queued command counts as asked for; else the next step would start from a tempo that
     // never came.
     if (command(AnalyzerKind::set_tempo, wished.bpm())) {

@@ -20,9 +20,12 @@ class LiveTarget {
     virtual ~LiveTarget() = default;  ///< a target may be owned by its interface
 
     /// Queues a command for the beat tracker, dated at the moment of music that leaves the
-    /// loudspeaker when it is called. `value`: as its kind says. False: the queue is full.
-    virtual bool command(audio::AnalyzerCommand::Kind kind, double value) = 0;
-    /// The same for the dancer, on the motion thread.
+    /// loudspeaker at `came`. `value`: as its kind says. False: the queue is full.
+    virtual bool command(audio::AnalyzerCommand::Kind kind, double value, HostTime came) = 0;
+    /// Whether somebody dances.
+    [[nodiscard]] virtual bool has_dancers() const = 0;
+    /// Queues a command for the dancers, dated when it is called. False: the queue is full, or
+    /// nobody dances.
     virtual bool command(motion::DancerCommand::Kind kind, double value) = 0;
     /// The tempo that is danced to.
     [[nodiscard]] virtual Bpm tempo() = 0;
@@ -49,10 +52,11 @@ class GraphTarget final : public LiveTarget {
     explicit GraphTarget(LiveGraph& graph) : graph_(graph) {}
 
     /// To the analyzer's queue.
-    bool command(audio::AnalyzerCommand::Kind kind, double value) override;
+    bool command(audio::AnalyzerCommand::Kind kind, double value, HostTime came) override;
+    [[nodiscard]] bool has_dancers() const override;  ///< of the graph
     /// To the motion thread's queue.
     bool command(motion::DancerCommand::Kind kind, double value) override;
-    [[nodiscard]] Bpm tempo() override;              ///< of the newest stage's beat grid
+    [[nodiscard]] Bpm tempo() override;              ///< of the newest beat grid
     [[nodiscard]] Nanos latency_offset() override;   ///< of the graph
     void set_latency_offset(Nanos offset) override;  ///< of the graph
     [[nodiscard]] bool plays_file() const override;  ///< whether the graph has a playback
@@ -77,8 +81,8 @@ class LiveActions {
     void attach(LiveTarget& target);
     /// The target is gone: until the next one nobody is asked for anything.
     void detach() noexcept { target_ = nullptr; }
-    /// Registers these actions with `actions`, those of a file where the target plays one: attach()
-    /// comes before. This object must not be moved afterwards.
+    /// Registers these actions with `actions`, those of a file where the target plays one, those of
+    /// dancers where it has some: attach() comes before. This object must not be moved afterwards.
     void bind(ActionDispatcher& actions);
     /// Tells dancers who have just replaced others what was asked of those (the lock of the
     /// figure).
@@ -105,6 +109,8 @@ class LiveActions {
     void double_tempo(double);
     void three_two(double);
     void change_tempo(double bpm);
+    void set_tempo(double bpm);
+    void hold_at(Bpm tempo);
     void hold_tempo(double);
     void release_tempo(double);
     void nudge_beats(double milliseconds);
@@ -113,11 +119,13 @@ class LiveActions {
     void select_figure(double number);
     void keep_figure(double);
 
-    template <typename Kind>
-    bool command(Kind kind, double value = 0.0);
+    bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0);
+    bool command(motion::DancerCommand::Kind kind, double value = 0.0);
+    bool said_unless(bool is_queued);
 
     SayLine say_;
     LiveTarget* target_ = nullptr;
+    HostTime came_{};  // the request that is carried out
     float volume_;
     std::optional<Nanos> latency_offset_;  // as last set by an action
     std::optional<Bpm> wished_tempo_;      // on its way to the tracker, or held there

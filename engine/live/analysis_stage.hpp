@@ -77,6 +77,10 @@ class AnalysisStage {
     /// What a reader on a thread of its own is told; it may outlive this.
     [[nodiscard]] const std::shared_ptr<MusicFeed>& feed() const noexcept { return feed_; }
 
+    /// Nobody dances: the feed is told the states by the audio thread. They wait in states() all
+    /// the same. Threads: main, while no callback runs.
+    void tell_feed() noexcept { queue_.tell(feed_.get()); }
+
     /// The states of a song that is known before it sounds, in place of those that are found.
     [[nodiscard]] PlannedStates& planned() noexcept { return planned_; }
 
@@ -100,12 +104,18 @@ class AnalysisStage {
         Queue(EventQueue<MusicState>& states, PlannedStates& planned)
             : states_(states), planned_(planned) {}
         void on_state(const MusicState& state) noexcept RAKS_NONBLOCKING override {
-            states_.push(planned_.at(state));
+            const MusicState told = planned_.at(state);
+            states_.push(told);
+            if (feed_ != nullptr) {
+                feed_->tell({told, {}});
+            }
         }
+        void tell(MusicFeed* feed) noexcept { feed_ = feed; }
 
      private:
         EventQueue<MusicState>& states_;
         PlannedStates& planned_;
+        MusicFeed* feed_ = nullptr;  // null: another tells it
     };
 
     AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer);

@@ -124,6 +124,11 @@ Expected<std::unique_ptr<LiveGraph>> LiveGraph::listen(const audio::AudioDevice&
 // Prepares the dancers (checks, allocations) on this thread and starts the one that dances them.
 Expected<void> LiveGraph::start_motion(const LiveGraphConfig& config) {
     pose_lead_ = config.pose_lead;
+    if (live_input_ && config.cast.empty()) {
+        analysis_->tell_feed();
+        publish_delay();
+        return {};
+    }
     motion::Ensemble dancers;
     if (auto ok = dancers.prepare(config.cast); !ok) {
         return ok;
@@ -267,7 +272,9 @@ void LiveGraph::take_over(DeviceKeeper::News& news, std::vector<std::string>& li
     const auto ready = playback_ ? playback_->prepare(rate) : live_input_->resume(rate);
     stream_ = std::move(news.stream);
     xruns_before_ = 0;
-    motion_->stay_below(stream_->callback_priority());
+    if (motion_) {
+        motion_->stay_below(stream_->callback_priority());
+    }
     lines.push_back(
         about(news.device, has_lost_device_ && news.device.id == device_.id ? "again" : "now"));
     set_device(news.device);
@@ -329,7 +336,15 @@ void LiveGraph::publish_delay() noexcept {
     const Nanos after = heard_after();
     analysis_->feed()->set_heard_after(after);
     const Nanos ahead = after - pose_lead_ - kLongestAhead;
-    motion_->hold_back(ahead > Nanos(0) ? static_cast<std::size_t>(ahead / kHop) : 0);
+    if (motion_) {
+        motion_->hold_back(ahead > Nanos(0) ? static_cast<std::size_t>(ahead / kHop) : 0);
+    }
+}
+
+const MusicState& LiveGraph::newest_music() noexcept {
+    while (!motion_ && analysis_->states().pop(newest_music_)) {
+    }
+    return newest_music_;
 }
 
 LiveCounters LiveGraph::counters() const noexcept {
@@ -340,13 +355,13 @@ LiveCounters LiveGraph::counters() const noexcept {
     return counters;
 }
 
-bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value) noexcept {
+bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value, HostTime came) noexcept {
     // Dated by the picture that the person was looking at when the key was pressed.
-    return analysis_->command({kind, moment_at(HostClock::now()), value});
+    return analysis_->command({kind, moment_at(came), value});
 }
 
 bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept {
-    return motion_->command({kind, moment_at(HostClock::now()), value});
+    return motion_ && motion_->command({kind, moment_at(HostClock::now()), value});
 }
 
 Expected<void> LiveGraph::replace_dancers(const Cast& cast, MotionStage::Entry entry) {

@@ -28,7 +28,7 @@ namespace raks::engine {
 /// What `play` and `live` both need to start.
 struct LiveGraphConfig {
     AnalyzerModels models;  ///< beat network, genre model and list of dances
-    Cast cast;              ///< the dancers, their repertoires and bodies
+    Cast cast;  ///< the dancers, their repertoires and bodies; listen(): none, and nobody dances
     /// play(): nothing sounds until Playback::let_go(), e.g. as a plan will come soon.
     bool is_held_back = false;
     Nanos latency_offset{};        ///< the user's, added to what the device reports
@@ -117,7 +117,11 @@ class LiveGraph {
         return analysis_->feed();
     }
 
-    /// The newest stage that the motion thread published. Threads: main only (one reader).
+    /// What the analysis found last; for main, where nobody dances.
+    [[nodiscard]] const MusicState& newest_music() noexcept;
+
+    /// The newest stage that the motion thread published; somebody dances. Threads: main only (one
+    /// reader).
     [[nodiscard]] const StageState& stage() noexcept { return for_main_->read(); }
     /// How long after its block is handed over, or came in, the sound is heard: as the device
     /// reports it (DeviceStream::heard_after), the offset calibrated for it and the person's.
@@ -134,15 +138,19 @@ class LiveGraph {
     [[nodiscard]] const audio::DeviceStream* stream() const noexcept { return stream_.get(); }
     /// The stage that the audio callback works on.
     [[nodiscard]] AnalysisStage& analysis() noexcept { return *analysis_; }
-    /// The thread that dances.
+    /// The thread that dances; somebody does.
     [[nodiscard]] MotionThread& motion() noexcept { return *motion_; }
     /// The file's playback; null in `live`.
     [[nodiscard]] Playback* playback() noexcept { return playback_.get(); }
 
-    /// Queues a command for the analyzer, dated at the moment that is seen when it is called.
-    /// False: the queue is full.
-    [[nodiscard]] bool command(audio::AnalyzerCommand::Kind kind, double value = 0.0) noexcept;
-    /// The same for the dancers.
+    /// Queues a command for the analyzer, dated at the moment that was seen at `came`. False: the
+    /// queue is full.
+    [[nodiscard]] bool command(audio::AnalyzerCommand::Kind kind,
+                               double value = 0.0,
+                               HostTime came = HostClock::now()) noexcept;
+    /// Whether somebody dances.
+    [[nodiscard]] bool has_dancers() const noexcept { return motion_ != nullptr; }
+    /// The same for the dancers, dated when it is called; false, too, where nobody dances.
     [[nodiscard]] bool command(motion::DancerCommand::Kind kind, double value = 0.0) noexcept;
 
     /// The plan of the song that plays came to hand: it is followed from now on, where nothing has
@@ -191,8 +199,9 @@ class LiveGraph {
     std::unique_ptr<Playback> playback_;
     std::unique_ptr<LiveInput> live_input_;
     AnalysisStage* analysis_ = nullptr;  // of playback_ or live_input_
+    MusicState newest_music_;            // where nobody dances
     std::unique_ptr<StageChannel> for_main_;
-    std::unique_ptr<MotionThread> motion_;
+    std::unique_ptr<MotionThread> motion_;  // null: nobody dances
     std::unique_ptr<PacedClock> paced_clock_;
     std::unique_ptr<audio::DeviceStream> stream_;
     std::unique_ptr<DeviceKeeper> keeper_;  // may hold a stream that was connected

@@ -9,6 +9,15 @@
 
 namespace raks::engine {
 
+namespace {
+
+FeedFigure figure_of(const motion::DancerStatus& dancer) noexcept {
+    return dancer.is_dancing ? FeedFigure{dancer.figure, dancer.counts, dancer.dance}
+                             : FeedFigure{};
+}
+
+}  // namespace
+
 void StageState::copy_used(const StageState& from) noexcept {
     std::copy_n(from.tracks.begin(), from.dancers, tracks.begin());
     dancers = from.dancers;
@@ -110,7 +119,7 @@ void MotionStage::tick() noexcept RAKS_NONBLOCKING {
             stage_->music;
         stage_->dancer = dancers_->status();
         if (wiring_.feed != nullptr) {
-            wiring_.feed->tell(stage_->music);
+            wiring_.feed->tell({stage_->music, figure_of(stage_->dancer)});
         }
         const bool is_recorded =
             wiring_.record == nullptr ||

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
+#include "base/dance_list.hpp"
 #include "base/music_state.hpp"
 #include "base/realtime.hpp"
 #include "base/time.hpp"
@@ -27,18 +29,34 @@ struct HeardLine {
     }
 };
 
+/// What the first dancer does at a hop.
+struct FeedFigure {
+    std::array<char, 32> name{};    ///< zero-terminated; empty while standing
+    int counts = 0;                 ///< its length in beats
+    DanceId dance = DanceId::none;  ///< none while standing, or where nobody dances
+    friend bool operator==(const FeedFigure&, const FeedFigure&) = default;
+};
+
+/// One hop, as readers on other threads are told it.
+struct FeedHop {
+    MusicState music;   ///< what is known at it
+    FeedFigure figure;  ///< what is danced to it
+};
+
 /// What one piece of music says, hop by hop, and when that is heard, for one reader on a thread of
 /// its own. A reader of beats has all it needs here and costs no copy of a pose.
+///
+/// Without dancers the audio thread tells the hops.
 ///
 /// Threads: what is marked *motion*, *audio*, *main* and *reader* from that one alone; the reader
 /// may change, where the one before has finished. Real-time: all of it.
 class MusicFeed {
  public:
-    /// States wait here for the reader: 2.5 s of them.
+    /// Hops wait here for the reader: 2.5 s of them.
     static constexpr std::size_t kRoom = 256;
 
     /// *motion* One hop, in order; dropped and counted where the reader is behind.
-    void tell(const MusicState& state) noexcept RAKS_NONBLOCKING { states_.push(state); }
+    void tell(const FeedHop& hop) noexcept RAKS_NONBLOCKING { hops_.push(hop); }
     /// *audio* The clock as of the newest block.
     void set_clock(const ClockLine& line) noexcept RAKS_NONBLOCKING { clock_.write(line); }
     /// *main* What heard_line() adds to the clock.
@@ -46,20 +64,18 @@ class MusicFeed {
         heard_after_ns_.store(span.count(), std::memory_order_relaxed);  // a number by itself
     }
 
-    /// *reader* The next state; false: none waits.
-    [[nodiscard]] bool take(MusicState& state) noexcept RAKS_NONBLOCKING {
-        return states_.pop(state);
-    }
+    /// *reader* The next hop; false: none waits.
+    [[nodiscard]] bool take(FeedHop& hop) noexcept RAKS_NONBLOCKING { return hops_.pop(hop); }
     /// *reader* When it is heard, as far as is known now.
     [[nodiscard]] HeardLine heard_line() noexcept RAKS_NONBLOCKING {
         // relaxed: see set_heard_after()
         return {clock_.read(), Nanos(heard_after_ns_.load(std::memory_order_relaxed))};
     }
-    /// States that the reader was too slow for, so far. Threads: any.
-    [[nodiscard]] std::uint64_t dropped() const noexcept { return states_.dropped(); }
+    /// Hops that the reader was too slow for, so far. Threads: any.
+    [[nodiscard]] std::uint64_t dropped() const noexcept { return hops_.dropped(); }
 
  private:
-    EventQueue<MusicState> states_{kRoom};
+    EventQueue<FeedHop> hops_{kRoom};
     LatestValue<ClockLine> clock_;
     std::atomic<std::int64_t> heard_after_ns_{0};
 };

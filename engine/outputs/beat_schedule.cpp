@@ -14,39 +14,59 @@ constexpr double kJumpTempo = 0.08;
 // Rounding of times to nanoseconds must not hide the beat that stands at a moment itself.
 constexpr double kSameBeat = 1e-6;
 
+Bpm paced(Bpm tempo, BeatSchedule::Pace pace) noexcept {
+    constexpr std::array kFactors = {0.5, 1.0, 2.0};  // in the order of Pace
+    return Bpm(tempo.bpm() * kFactors[static_cast<std::size_t>(pace)]);
+}
+
 }  // namespace
 
 void BeatSchedule::take(const MusicState& state) noexcept {
     grid_ = state.grid;
-    const bool is_locked = grid_.confidence >= BeatGrid::kDanceable;
+    const bool is_locked = grid_.confidence >= BeatGrid::kDanceable || state.is_tempo_held;
     if (is_locked && !is_locked_) {
         begins_ = state.time;
         told_at_.reset();
         bar_ = 0;
     }
     is_locked_ = is_locked;
-    if (state.event.kind == MusicEvent::Kind::none) {
-        return;
+    Notice notice{.tempo = grid_.tempo, .paced_tempo = paced(grid_.tempo, pace_)};
+    notice.confidence = grid_.confidence;
+    if (state.event.kind != MusicEvent::Kind::none) {
+        notice.kind = Notice::Kind::event;
+        notice.time = state.event.time;
+        notice.event = state.event.kind;
+        keep(notice);
     }
-    if (event_count_ == kMostEvents) {
-        drop_first_event();
+    if (state.accent.strength > 0.0F) {
+        notice.kind = Notice::Kind::accent;
+        notice.time = state.accent.time;
+        notice.event = MusicEvent::Kind::none;
+        notice.accent = state.accent;
+        keep(notice);
     }
-    // Few, and nearly always in order.
-    const auto end = events_.begin() + static_cast<std::ptrdiff_t>(event_count_);
-    const auto place = std::upper_bound(
-        events_.begin(), end, state.event.time, [](StreamTime time, const MusicEvent& event) {
-            return time < event.time;
-        });
-    std::move_backward(place, end, end + 1);
-    *place = state.event;
-    ++event_count_;
 }
 
-void BeatSchedule::drop_first_event() noexcept {
-    std::move(events_.begin() + 1,
-              events_.begin() + static_cast<std::ptrdiff_t>(event_count_),
-              events_.begin());
-    --event_count_;
+// Few, and nearly always in order.
+void BeatSchedule::keep(const Notice& notice) noexcept {
+    if (waiting_count_ == kMostWaiting) {
+        drop_first();
+    }
+    const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_);
+    const auto place = std::upper_bound(
+        waiting_.begin(), end, notice.time, [](StreamTime time, const Notice& other) {
+            return time < other.time;
+        });
+    std::move_backward(place, end, end + 1);
+    *place = notice;
+    ++waiting_count_;
+}
+
+void BeatSchedule::drop_first() noexcept {
+    std::move(waiting_.begin() + 1,
+              waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_),
+              waiting_.begin());
+    --waiting_count_;
 }
 
 // The number in the grid of the beat that comes next; nothing while there are none.
@@ -59,14 +79,31 @@ std::optional<double> BeatSchedule::next_beat() const noexcept {
     return std::ceil(from - kSameBeat);
 }
 
+std::optional<StreamTime> BeatSchedule::next_beat_time() const noexcept {
+    const auto beat = next_beat();
+    return beat ? std::optional(grid_.time_of(Beats(*beat))) : std::nullopt;
+}
+
+// By the tempo from the last beat on, so that a grid that moves makes none twice. One that the next
+// beat has come near is left out.
+std::optional<StreamTime> BeatSchedule::half_beat_time() const noexcept {
+    if (!owes_half_ || !is_locked_ || !told_at_) {
+        return std::nullopt;
+    }
+    const double beat = grid_.tempo.seconds_per_beat();
+    const StreamTime half = *told_at_ + nanos_from_seconds(0.5 * beat);
+    const auto next = next_beat_time();
+    return next && *next - half >= nanos_from_seconds(kJumpBeats * beat) ? std::optional(half)
+                                                                         : std::nullopt;
+}
+
 std::optional<StreamTime> BeatSchedule::next_time() const noexcept {
     std::optional<StreamTime> time;
-    if (event_count_ > 0) {
-        time = events_[0].time;
+    if (waiting_count_ > 0) {
+        time = waiting_[0].time;
     }
-    if (const auto beat = next_beat()) {
-        const StreamTime at = grid_.time_of(Beats(*beat));
-        time = std::min(time.value_or(at), at);
+    for (const auto& at : {half_beat_time(), next_beat_time()}) {
+        time = at ? std::min(time.value_or(*at), *at) : time;
     }
     return time;
 }
@@ -78,12 +115,17 @@ std::optional<Notice> BeatSchedule::next(StreamTime heard) noexcept {
         if (*due > heard) {
             break;
         }
-        if (event_count_ > 0 && events_[0].time == *due) {
-            Notice notice{.kind = Notice::Kind::event, .time = *due, .tempo = grid_.tempo};
-            notice.confidence = grid_.confidence;
-            notice.event = events_[0].kind;
-            drop_first_event();
+        if (waiting_count_ > 0 && waiting_[0].time == *due) {
+            const Notice notice = waiting_[0];
+            drop_first();
             return notice;
+        }
+        if (half_beat_time() == due) {
+            const Notice notice = tell_half_beat();
+            if (heard - notice.time < half) {
+                return notice;
+            }
+            continue;
         }
         Notice beat = tell_beat(*next_beat());
         is_change = beat.is_change = beat.is_change || is_change;
@@ -97,10 +139,33 @@ std::optional<Notice> BeatSchedule::next(StreamTime heard) noexcept {
     return std::nullopt;
 }
 
+// Of two beats in a row one at most; in bars of an even length the odd counts.
+bool BeatSchedule::is_next_paced(int count) noexcept {
+    if (pace_ != Pace::half) {
+        return true;
+    }
+    was_paced_ = grid_.beats_per_bar % 2 == 0 || !told_at_ ? count % 2 == 1 : !was_paced_;
+    return was_paced_;
+}
+
+Notice BeatSchedule::tell_half_beat() noexcept {
+    owes_half_ = false;
+    Notice notice{.time = *told_at_ + nanos_from_seconds(0.5 * grid_.tempo.seconds_per_beat())};
+    notice.count = count_;
+    notice.bar = bar_;
+    notice.tempo = grid_.tempo;
+    notice.paced_tempo = paced(grid_.tempo, pace_);
+    notice.confidence = grid_.confidence;
+    notice.is_counted = false;
+    return notice;
+}
+
 Notice BeatSchedule::tell_beat(double beat) noexcept {
     Notice notice{.time = grid_.time_of(Beats(beat)), .tempo = grid_.tempo};
     notice.count = 1 + static_cast<int>(grid_.bar_position(Beats(beat)) + kJumpBeats);
     notice.confidence = grid_.confidence;
+    notice.paced_tempo = paced(grid_.tempo, pace_);
+    notice.is_paced = is_next_paced(notice.count);
     if (told_at_) {
         const double way = to_seconds(notice.time - *told_at_) * told_tempo_.beats_per_second();
         notice.is_change = std::abs(way - 1.0) > kJumpBeats ||
@@ -110,8 +175,10 @@ Notice BeatSchedule::tell_beat(double beat) noexcept {
     }
     bar_ += notice.count == 1 || bar_ == 0 ? 1 : 0;
     notice.bar = bar_;
+    count_ = notice.count;
     told_at_ = notice.time;
     told_tempo_ = grid_.tempo;
+    owes_half_ = pace_ == Pace::twice;
     return notice;
 }
 

@@ -17,10 +17,6 @@
 namespace raks::engine {
 namespace {
 
-// In the order of MusicEvent::Kind.
-constexpr std::array<std::string_view, 7> kEventWords{
-    "none", "stop", "entry", "breakdown", "build-up", "drop", "end"};
-
 double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 // One line, with its end.
@@ -32,11 +28,11 @@ std::string line_of(const OutputMoment& moment) {
         line["do"] = "beat";
         line["count"] = notice.count;
         line["bar"] = notice.bar;
-        line["bpm"] = rounded(notice.tempo.bpm(), 100.0);
+        line["bpm"] = rounded(notice.paced_tempo.bpm(), 100.0);
         line["confidence"] = rounded(notice.confidence, 100.0);
         line["change"] = notice.is_change;
     } else {
-        line["do"] = kEventWords[static_cast<std::size_t>(notice.event)];
+        line["do"] = music_event_name(notice.event);
     }
     line["in_ms"] = static_cast<std::int64_t>(std::lround(in_ms));
     return line.text() + "\n";
@@ -46,9 +42,13 @@ std::string line_of(const OutputMoment& moment) {
 class LineOutput final : public Output {
  public:
     /// Takes the descriptor over.
-    LineOutput(int file, std::string name) : file_(file), name_(std::move(name)) {}
+    LineOutput(int file, std::string name, const OutputTiming& timing)
+        : Output(timing), file_(file), name_(std::move(name)) {}
 
     void tell(const OutputMoment& moment) override {
+        if (moment.notice.kind == Notice::Kind::accent || !moment.notice.is_paced) {
+            return;
+        }
         // The rest of a line that was begun comes first: lines are whole, or missing.
         flush();
         if (!waiting_.empty() || has_ended_) {
@@ -114,11 +114,22 @@ Expected<int> open_target(const std::string& target) {
 }  // namespace
 
 Expected<std::unique_ptr<Output>> open_lines(const std::string& target) {
-    const auto file = open_target(target);
-    if (!file) {
-        return fail("--lines " + target + ": " + file.error().message);
+    TargetReader reader = TargetReader::of_file(target);
+    const OutputTiming timing = reader.timing();
+    if (auto read = reader.finish(); !read) {
+        return fail("--lines " + target + ": " + read.error().message);
     }
-    return std::make_unique<LineOutput>(*file, target);
+    const auto file = open_target(reader.place());
+    if (!file) {
+        return fail("--lines " + reader.place() + ": " + file.error().message);
+    }
+    return std::make_unique<LineOutput>(*file, reader.place(), timing);
+}
+
+Expected<void> check_lines(const std::string& target) {
+    TargetReader reader = TargetReader::of_file(target);
+    static_cast<void>(reader.timing());
+    return reader.finish();
 }
 
 }  // namespace raks::engine

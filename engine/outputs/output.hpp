@@ -8,9 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
+#include "engine/live/music_feed.hpp"
 #include "engine/outputs/beat_schedule.hpp"
+#include "engine/outputs/output_target.hpp"
 
 namespace raks::engine {
 
@@ -20,22 +23,55 @@ struct OutputMoment {
     HostTime heard_at{};  ///< when it is heard
 };
 
+/// What is heard at a hop.
+struct OutputHop {
+    const MusicState& music;   ///< what is known at it
+    const FeedFigure& figure;  ///< what is danced to it
+    const DanceList& dances;   ///< whose ids both have
+};
+
+/// A look of the outputs' thread at one target.
+struct OutputTurn {
+    HostTime now{};                      ///< as CLOCK_MONOTONIC has it
+    std::optional<HeardLine> line = {};  ///< nothing: no music is followed
+    /// When the target is told the next beat, as far as is known.
+    std::optional<HostTime> next_beat = {};
+};
+
+/// How a target stands.
+struct OutputStatus {
+    std::string name;           ///< "--osc 127.0.0.1:9000"
+    std::uint64_t sent = 0;     ///< messages
+    std::uint64_t dropped = 0;  ///< messages, as the other side was slow or not there
+    std::string trouble;        ///< what went wrong last; empty: nothing did
+};
+
 /// One target outside of the program that is told what the music does. It owns one descriptor or
 /// port, which never blocks, and its counters; it sees nothing else.
 ///
 /// Threads: the constructor on main, counters from any, all else on the outputs' thread alone.
 class Output {
  public:
-    Output() = default;
+    /// `timing`: as the target asks for it.
+    explicit Output(const OutputTiming& timing = {}) : timing_(timing) {}
     virtual ~Output() = default;                ///< says goodbye where its protocol has one
     Output(const Output&) = delete;             ///< owns a descriptor
     Output& operator=(const Output&) = delete;  ///< likewise
 
-    /// Tells of a moment that is heard now. What cannot be sent at once is dropped and counted.
+    /// Tells of a moment that is heard now, or `lead` from now. What cannot be sent at once is
+    /// dropped and counted.
     virtual void tell(const OutputMoment& moment) = 0;
+    /// Each hop, in order, when it is heard; before the moments that are due then.
+    virtual void hear(const OutputHop& /*hop*/) {}
+    /// Connects, sends what waits; every 5 ms or oftener, also where nothing is heard.
+    virtual void turn(const OutputTurn& /*turn*/) {}
+    /// When a turn is wanted to the point; nothing: whenever it comes.
+    [[nodiscard]] virtual std::optional<HostTime> due() const { return std::nullopt; }
     /// A line for the person where it has failed since the last call.
     [[nodiscard]] virtual std::optional<std::string> take_trouble() { return std::nullopt; }
 
+    /// When it is told, and how many beats.
+    [[nodiscard]] const OutputTiming& timing() const noexcept { return timing_; }
     /// Messages that were sent.
     [[nodiscard]] std::uint64_t sent() const noexcept { return sent_.load(); }
     /// Messages that were not, as the other side was slow or not there.
@@ -44,8 +80,11 @@ class Output {
  protected:
     void count_sent() noexcept { ++sent_; }        ///< one message
     void count_dropped() noexcept { ++dropped_; }  ///< one message
+    /// One or the other.
+    void count(bool is_sent) noexcept { is_sent ? count_sent() : count_dropped(); }
 
  private:
+    OutputTiming timing_;
     std::atomic<std::uint64_t> sent_{0};
     std::atomic<std::uint64_t> dropped_{0};
 };
@@ -56,6 +95,10 @@ struct OutputKind {
     std::string_view option;  ///< of play and live, without "--"
     std::string_view target;  ///< what stands behind it, for the help: "FILE"
     std::string_view help;    ///< one line
+    bool is_kept = true;      ///< a preset keeps it; not where a file is written
+    /// Whether the target can be read (output_target.hpp); nothing is opened. Errors: what is
+    /// wrong with it.
+    Expected<void> (*check)(const std::string& target);
     /// Opens it. Errors: the target is none, or cannot be opened.
     Expected<std::unique_ptr<Output>> (*open)(const std::string& target);
 };

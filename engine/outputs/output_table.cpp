@@ -1,7 +1,10 @@
 #include <array>
 
 #include "engine/outputs/line_output.hpp"
+#include "engine/outputs/os2l_output.hpp"
+#include "engine/outputs/osc_output.hpp"
 #include "engine/outputs/output.hpp"
+#include "engine/outputs/wled_output.hpp"
 
 namespace raks::engine {
 namespace {
@@ -10,7 +13,27 @@ constexpr std::array kKinds = std::to_array<OutputKind>({
     {"lines",
      "FILE",
      "beats and events, as they are heard, as lines of JSON; - for stdout",
+     false,
+     check_lines,
      open_lines},
+    {"osc",
+     "HOST:PORT",
+     "beats, events and more by OSC; also HOST:PORT,preset=plain,lead=30,...",
+     true,
+     check_osc,
+     open_osc},
+    {"os2l",
+     "HOST",
+     "beats and buttons to a light program by OS2L; also HOST:9996,lead=30,...",
+     true,
+     check_os2l,
+     open_os2l},
+    {"wled",
+     "HOST",
+     "sound for the lights of WLED, or multicast; also HOST:11988,lead=30,...",
+     true,
+     check_wled,
+     open_wled},
 });
 
 }  // namespace

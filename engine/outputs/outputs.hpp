@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,7 +19,13 @@ namespace raks::engine {
 struct OutputWish {
     const OutputKind* kind = nullptr;  ///< a row of output_kinds()
     std::string target;                ///< as given
+
+    /// "osc 127.0.0.1:9000"
+    [[nodiscard]] std::string text() const;
+    friend bool operator==(const OutputWish&, const OutputWish&) = default;
 };
+/// Inverse of OutputWish::text(). Errors: there is no such option; its target cannot be read.
+[[nodiscard]] Expected<OutputWish> parse_output_wish(const std::string& text);
 
 /// The outputs of `play` and `live`, on a thread of their own that sleeps until the next moment is
 /// heard. They outlive a song: each one's feed is followed in turn.
@@ -34,33 +41,53 @@ class Outputs {
     Outputs(const Outputs&) = delete;             ///< the thread refers to it
     Outputs& operator=(const Outputs&) = delete;  ///< likewise
 
-    /// From now on this music is told of, in place of any before; what waits in it is old and is
-    /// passed over. The feed may lose its writers at any time.
-    void follow(std::shared_ptr<MusicFeed> feed);
+    /// From now on this music is told of, in place of any before; what was heard more than a second
+    /// ago is passed over. The feed may lose its writers at any time. `dances`: whose ids it has.
+    void follow(std::shared_ptr<MusicFeed> feed, std::shared_ptr<const DanceList> dances);
     /// Lines for the person about outputs that failed since the last call.
     [[nodiscard]] std::vector<std::string> take_lines();
     /// What was lost so far, in words, one line an output that lost anything.
     [[nodiscard]] std::vector<std::string> losses() const;
+    /// How each stands, in the order of the wishes.
+    [[nodiscard]] std::vector<OutputStatus> status() const;
 
  private:
+    // Hops that targets have not heard yet: the longest lead behind the sound, and what is danced
+    // ahead of it.
+    static constexpr std::size_t kKeptHops = 256;
+
     struct Open {
         const OutputKind* kind;
+        std::string target;
         std::unique_ptr<Output> output;
+        std::string trouble = {};  // the last one; of mutex_
+        BeatSchedule schedule = {};
+        std::uint64_t scheduled = 0;  // hops that the schedule has taken
+        std::uint64_t heard = 0;      // hops that the output was told
     };
     explicit Outputs(std::vector<Open> outputs);
     void run() noexcept;
     void turn(HostTime now);
-    void tell(const Notice& notice, const HeardLine& line);
-    [[nodiscard]] HostTime next_turn(HostTime now);
+    void take_feed(HostTime now);
+    void serve(Open& open, HostTime now);
+    void tell_music(Open& open, StreamTime heard);
+    [[nodiscard]] const FeedHop* hop_at(std::uint64_t& number) const;
+    [[nodiscard]] std::optional<HostTime> told_at(const Open& open,
+                                                  std::optional<StreamTime> time) const;
+    [[nodiscard]] HostTime next_turn(HostTime now) const;
 
     std::vector<Open> outputs_;
-    std::mutex mutex_;  // of the two below
+    mutable std::mutex mutex_;  // of the three below, and of Open::trouble
     std::shared_ptr<MusicFeed> next_feed_;
+    std::shared_ptr<const DanceList> next_dances_;
     std::vector<std::string> lines_;
     std::atomic<bool> is_stopping_{false};
     // Of the thread.
     std::shared_ptr<MusicFeed> feed_;
-    BeatSchedule schedule_;
+    std::shared_ptr<const DanceList> dances_;
+    std::optional<HeardLine> line_;  // of feed_, as of this turn
+    std::vector<FeedHop> hops_;      // ring
+    std::uint64_t taken_ = 0;        // hops of feed_
     std::thread thread_;
 };
 

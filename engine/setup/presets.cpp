@@ -34,8 +34,8 @@ constexpr std::array<SettingField, 7> kPresetFields = {&Settings::theme,
                                                        &Settings::avatars,
                                                        &Settings::dance,
                                                        &Settings::formation};
-constexpr std::array<OwnKey, 2> kPresetKeys = {OwnKey{"dance", "forbidden"},
-                                               OwnKey{"video", "outputs"}};
+constexpr std::array<OwnKey, 3> kPresetKeys = {
+    OwnKey{"dance", "forbidden"}, OwnKey{"video", "outputs"}, OwnKey{"told", "targets"}};
 
 // Calls `visit` with each field of a preset and the setting that it holds.
 template <typename Visit>
@@ -202,6 +202,8 @@ Expected<LoadedPreset> parse_preset(std::string_view text, const std::string& na
         read_list(*file, kPresetKeys[0], kMostDances, fault_of_dance, complaints);
     loaded.preset.outputs =
         read_list(*file, kPresetKeys[1], kMostPresetOutputs, fault_of_output, complaints);
+    loaded.preset.told =
+        read_list(*file, kPresetKeys[2], kMostPresetOutputs, fault_of_output, complaints);
     if (!complaints.is_sound()) {
         return fail(complaints.fault());
     }
@@ -235,6 +237,9 @@ std::string toml_of(const Preset& preset) {
     }
     if (preset.outputs) {
         sections.add("video", "outputs", toml_list(*preset.outputs));
+    }
+    if (preset.told) {
+        sections.add("told", "targets", toml_list(*preset.told));
     }
     return fmt::format(
         "# A preset of Raks (--preset). What it does not name stays as it is.\n"

@@ -25,6 +25,8 @@ struct Preset {
     std::optional<std::string> formation;               ///< dance.formation
     std::optional<std::vector<std::string>> forbidden;  ///< dances that are not danced; may be none
     std::optional<std::vector<std::string>> outputs;    ///< as of `--video-out`; may be none
+    /// Who is told of the music: an option and its target, "osc 127.0.0.1:9000"; may be none.
+    std::optional<std::vector<std::string>> told;
     friend bool operator==(const Preset&, const Preset&) = default;
 };
 

@@ -45,6 +45,12 @@ class Staging {
     /// the next hop on.
     void set_picture(float aspect, float size) noexcept;
 
+    /// How lively camera and light are from the next hop on.
+    void set_liveliness(render::Liveliness liveliness) noexcept {
+        director_.set_liveliness(liveliness);
+        light_.set_liveliness(liveliness);
+    }
+
     /// The next hop; `tracks`: one a dancer, whose pose of this hop is final.
     void advance(const MusicState& music, std::span<const motion::PoseTrack> tracks);
     /// The next hop is the first of another stream.

@@ -15,6 +15,7 @@
 
 #include "base/expected.hpp"
 #include "base/printable.hpp"
+#include "base/suggest.hpp"
 #include "engine/control/action_table.hpp"
 #include "engine/setup/user_folders.hpp"
 #include "engine/show/avatar_files.hpp"
@@ -160,19 +161,33 @@ void WindowLoop::bind(WindowContent& content, ActionDispatcher& actions) {
     actions.on(Action::select_camera,
                [&](double number) { look_from(static_cast<std::size_t>(number) - 1, content); });
     actions.on(Action::reset_camera, [&](double) { let_go_of_camera(content); });
+    actions.on_text(Action::next_camera, [this, &content](const std::string& name) {
+        return look_through(name, content);
+    });
     if (content.has_avatar()) {
+        actions.on_text(Action::next_avatar,
+                        [this](const std::string& name) { return wear_named(name); });
         actions.on(Action::next_avatar, [this](double) { go_to_next_avatar(); });
     }
 }
 
 void WindowLoop::bind_window(ActionDispatcher& actions) {
     actions.on(Action::next_theme, [this](double) { go_to_next_theme(); });
+    actions.on_text(Action::next_theme, [this](const std::string& name) -> Expected<void> {
+        const auto theme = find_theme(name);
+        if (!theme) {
+            return fail(theme.error());
+        }
+        scene_.theme = *theme;
+        return {};
+    });
     actions.on(Action::next_backdrop, [this](double) { go_to_next_backdrop(); });
     actions.on_text(Action::next_backdrop, [this](const std::string& text) {
         // The table has checked it.
         if (const auto backdrop = parse_backdrop(text)) {
             set_backdrop(scene_, *backdrop);
         }
+        return Expected<void>();
     });
     actions.on(Action::clean_picture, [this](double) { toggle_clean(); });
     actions.on(Action::next_monitor, [this](double) { go_to_next_monitor(); });
@@ -457,6 +472,19 @@ void WindowLoop::go_to_next_camera(const WindowContent& content) {
     say("camera " + camera_name_);
 }
 
+Expected<void> WindowLoop::look_through(const std::string& name, const WindowContent& content) {
+    const std::span<const std::string_view> presets = render::camera_names();
+    std::vector<std::string_view> names(presets.begin(), presets.end());
+    if (content.has_director()) {
+        names.push_back(kDirector);
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        return fail(unknown_name("camera", name, names));
+    }
+    set_camera(name, content);
+    return {};
+}
+
 // In the order of the action's keys.
 void WindowLoop::look_from(std::size_t direction, const WindowContent& content) {
     constexpr std::array<std::string_view, 4> kNames = {"front", "side", "back", "top"};
@@ -521,6 +549,27 @@ void WindowLoop::go_to_next_avatar() {
                    [](const std::filesystem::path& file) { return file.string(); });
     const std::vector<std::string_view> views(names.begin(), names.end());
     wear({std::string(name_after(avatar_name_, views))});
+}
+
+// By its name alone, which is no path: others may ask for it.
+Expected<void> WindowLoop::wear_named(const std::string& name) {
+    std::vector<std::string_view> known = {kMannequinName};
+    const auto files = list_avatars();
+    std::vector<std::string> stems;
+    for (const std::filesystem::path& file :
+         files ? *files : std::vector<std::filesystem::path>()) {
+        if (file.filename() == name || file.stem() == name) {
+            wear({file.string()});
+            return {};
+        }
+        stems.push_back(file.stem().string());
+    }
+    if (name == kMannequinName) {
+        wear({name});
+        return {};
+    }
+    known.insert(known.end(), stems.begin(), stems.end());
+    return fail(unknown_name("avatar", name, known));
 }
 
 void WindowLoop::wear(std::vector<std::string> names) {

@@ -154,6 +154,8 @@ class WindowLoop {
     [[nodiscard]] const std::vector<std::string>& chosen_avatars() const noexcept {
         return chosen_avatars_;
     }
+    /// The avatar that is worn first, or was asked for last: a file, or kMannequinName.
+    [[nodiscard]] const std::string& avatar_name() const noexcept { return avatar_name_; }
     /// The camera's preset, or the director.
     [[nodiscard]] const std::string& camera_name() const noexcept { return camera_name_; }
     /// Looks through this preset, or leaves the camera to the director.
@@ -199,6 +201,9 @@ class WindowLoop {
     void go_to_next_backdrop();
     void go_to_next_monitor();
     void go_to_next_avatar();
+    [[nodiscard]] Expected<void> wear_named(const std::string& name);
+    [[nodiscard]] Expected<void> look_through(const std::string& name,
+                                              const WindowContent& content);
     void change_avatar();
     void say_avatar(const LoadedAvatar& avatar);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;

@@ -183,7 +183,7 @@ OverlayControls Overlay::draw(const OverlayState& given,
     const OverlayState state = in_range(given);
     // A hidden overlay costs nothing.
     const bool has_nothing = view == OverlayView::hidden && state.message.empty() &&
-                             state.help.empty() && !state.list && !state.transport &&
+                             state.help.empty() && !state.list && !state.transport && !state.code &&
                              state.lines.empty() && state.labels.empty();
     if (target.width <= 0 || target.height <= 0 || has_nothing) {
         return {};
@@ -223,7 +223,10 @@ OverlayControls Overlay::draw(const OverlayState& given,
     if (state.transport) {
         controls = draw_transport(pen, *state.transport, canvas);
     }
-    draw_message(pen, state.message, canvas);
+    draw_message(pen, state, canvas);
+    if (state.code && !is_help && !state.list) {
+        draw_code(pen, *state.code, canvas);
+    }
     if (is_help) {
         draw_help(pen, state.help, state.help_page, canvas, controls);
     }

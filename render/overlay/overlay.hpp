@@ -76,6 +76,19 @@ struct OverlayLabel {
     std::string_view text{};
 };
 
+/// How another program stands that is told of the music.
+struct OverlayTarget {
+    std::string text{};        ///< "--osc 127.0.0.1:9000   412 sent"
+    bool is_troubled = false;  ///< it loses something: in amber
+};
+
+/// A square of light and dark modules that a phone's camera reads (QR code).
+struct OverlayCode {
+    std::size_t side = 0;                     ///< modules a row
+    std::span<const std::uint8_t> modules{};  ///< row by row from the top; 1: dark
+    std::string_view caption{};               ///< one line below it
+};
+
 /// Everything that the overlay shows, as it is at the moment that the picture is about. Views
 /// need to live until draw() returns; empty text and empty optionals are not shown.
 struct OverlayState {
@@ -101,8 +114,10 @@ struct OverlayState {
     std::string_view source{};  ///< file name or device
     /// What a tagger calls the music, the strongest word first; empty ones are not shown.
     std::array<std::string_view, 3> tags{};
-    float level_dbfs = -120.0F;        ///< rms, >= -120
-    float loudness_lufs = -120.0F;     ///< momentary, >= -120
+    float level_dbfs = -120.0F;     ///< rms, >= -120
+    float loudness_lufs = -120.0F;  ///< momentary, >= -120
+    /// Who else is told of the music, in the source's card; the first four are shown.
+    std::span<const OverlayTarget> targets{};
     std::optional<float> volume{};     ///< [0, 1]; none: nothing is played back
     std::optional<double> position{};  ///< seconds into the file; none when live
     std::optional<double> duration{};  ///< seconds, where known
@@ -123,6 +138,7 @@ struct OverlayState {
     // Above all else.
     std::span<const HelpRow> help{};    ///< the keys; none: not asked for
     std::size_t help_page = 0;          ///< which page of them, where one has no room for all
+    std::optional<OverlayCode> code{};  ///< whatever the view is; none: none
     std::optional<OverlayList> list{};  ///< from which somebody takes something; none: none
 };
 

@@ -51,7 +51,8 @@ void draw_small_tempo(const Pen& pen, const OverlayState& state);
 void draw_tempo(const Pen& pen, const OverlayState& state);
 /// Top right: genre and figure; below it the line of health.
 void draw_dance(const Pen& pen, const OverlayState& state, const Canvas& canvas);
-/// Bottom left: source and position. Returns where they can be clicked.
+/// Bottom left: source and position, above them who else is told. Returns where they can be
+/// clicked.
 OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Bottom right: level, loudness, volume.
 void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas);
@@ -62,7 +63,7 @@ OverlayControls draw_transport(const Pen& pen,
                                const OverlayTransport& transport,
                                const Canvas& canvas);
 /// Above the source: one line that comes and goes.
-void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas);
+void draw_message(const Pen& pen, const OverlayState& state, const Canvas& canvas);
 /// Middle: one page of the list of keys, in two columns that break between groups, or in one where
 /// the picture is narrow; over several pages where the picture is low. `page` counts on from the
 /// first behind the last. Adds where each key can be clicked, and how many pages there are.
@@ -76,6 +77,9 @@ void draw_list(const Pen& pen,
                const OverlayList& list,
                const Canvas& canvas,
                OverlayControls& controls);
+/// At the right, half way down: a code with its line. One that is not as many modules as it says is
+/// left out.
+void draw_code(const Pen& pen, const OverlayCode& code, const Canvas& canvas);
 /// Whether the cards stay visible beside a panel of this width in the middle.
 [[nodiscard]] bool has_room_beside(float width, const Canvas& canvas) noexcept;
 /// Width of the list of keys where it has two columns, and of a list.

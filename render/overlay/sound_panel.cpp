@@ -14,13 +14,23 @@ constexpr float kMeterWidth = kCardWidth - 2.0F * kInner;
 constexpr int kMeterSegments = 24;
 constexpr float kSourceShare = 0.34F;  // of the width, so that the feet stay free
 constexpr float kWidestSource = 460.0F;
+constexpr std::size_t kMostTargets = 4;  // that the source's card has a line for
+constexpr float kTargetHeight = 18.0F;
 
-/// The source's card; in a narrow picture it has the whole width to itself.
-Box source_box(const Canvas& canvas) {
+/// How many of the targets have a line.
+std::size_t shown_targets(const OverlayState& state) {
+    return std::min(state.targets.size(), kMostTargets);
+}
+
+/// The source's card; in a narrow picture it has the whole width to itself. It grows upwards with
+/// the targets.
+Box source_box(const OverlayState& state, const Canvas& canvas) {
     const float width = has_two_columns(canvas)
                             ? std::clamp(kSourceShare * canvas.width, kCardWidth, kWidestSource)
                             : canvas.width - 2.0F * kMargin;
-    return {kMargin, canvas.height - kMargin - kBottomHeight, width, kBottomHeight};
+    const auto lines = static_cast<float>(shown_targets(state));
+    const float height = kBottomHeight + (lines > 0.0F ? 8.0F + lines * kTargetHeight : 0.0F);
+    return {kMargin, canvas.height - kMargin - height, width, height};
 }
 
 /// The meter covers 60 dB, so 0.8 of it is -12 dBFS.
@@ -85,6 +95,21 @@ void draw_tags(const Pen& pen, const OverlayState& state, const Box& box, float 
     pen.text(fonts.small, right, box.y + down, palette::kDim, text, Align::right, room);
 }
 
+/// One line each, the last ones left out where they are too many.
+void draw_targets(const Pen& pen, const OverlayState& state, const Box& box) {
+    const float left = box.x + kInner;
+    for (std::size_t i = 0; i < shown_targets(state); ++i) {
+        const OverlayTarget& target = state.targets[i];
+        pen.text(pen.fonts().small,
+                 left,
+                 box.y + 10.0F + static_cast<float>(i) * kTargetHeight,
+                 target.is_troubled ? palette::kAmber : palette::kDim,
+                 target.text,
+                 Align::left,
+                 box.right() - kInner - left);
+    }
+}
+
 }  // namespace
 
 OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
@@ -93,8 +118,10 @@ OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Can
     }
     OverlayControls controls;
     const OverlayFonts& fonts = pen.fonts();
-    const Box box = source_box(canvas);
-    pen.panel(box);
+    const Box card = source_box(state, canvas);
+    pen.panel(card);
+    draw_targets(pen, state, card);
+    const Box box{card.x, card.bottom() - kBottomHeight, card.width, kBottomHeight};
     const float left = box.x + kInner + 26.0F;
     const float right = box.right() - kInner;
     draw_state_sign(pen, state, box.x + kInner + 6.0F, box.y + box.height / 2.0F);
@@ -163,12 +190,13 @@ void draw_level(const Pen& pen, const OverlayState& state, const Canvas& canvas)
     }
 }
 
-void draw_message(const Pen& pen, std::string_view message, const Canvas& canvas) {
+void draw_message(const Pen& pen, const OverlayState& state, const Canvas& canvas) {
+    const std::string_view message = state.message;
     if (message.empty()) {
         return;
     }
     const OverlayFonts& fonts = pen.fonts();
-    const Box source = source_box(canvas);
+    const Box source = source_box(state, canvas);
     // A long message is cut with an ellipsis rather than running out of the picture.
     const float widest = canvas.width - 2.0F * (kMargin + kInner);
     const float width = std::min(pen.width_of(fonts.body, one_line(message)), widest);

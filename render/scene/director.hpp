@@ -70,6 +70,9 @@ class Director {
     /// Width / height of the picture (> 0), and the dancers' size against the mannequin's 1.
     void set_picture(float aspect, float size) noexcept;
 
+    /// From the next hop on.
+    void set_liveliness(Liveliness liveliness) noexcept { liveliness_ = liveliness; }
+
     /// The view at the next hop. `dancers`: of a body that stands as high as the mannequin, in
     /// world space; none: the view stays. A state that does not follow the last one begins anew.
     const DirectedView& advance(const MusicState& music,

@@ -50,6 +50,9 @@ class LightShow {
     explicit LightShow(Liveliness liveliness = Liveliness::usual) noexcept
         : liveliness_(liveliness) {}
 
+    /// From the next hop on.
+    void set_liveliness(Liveliness liveliness) noexcept { liveliness_ = liveliness; }
+
     /// The levels at the next hop. A state that does not follow the last one begins anew.
     const LightLevels& advance(const MusicState& music) noexcept;
 

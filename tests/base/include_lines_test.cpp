@@ -135,6 +135,7 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"engine/offline", {"base", "audio", "audio/**", "motion", "motion/**", "engine/setup"}},
     {"engine/control", {"base", "audio", "audio/beat", "motion", "engine/live", "engine/setup"}},
     {"engine/outputs", {"base", "engine/live"}},
+    {"engine/remote", {"base", "engine/control"}},
     {"engine/show",
      {"base", "motion", "motion/**", "render", "render/**", "engine/setup", "engine/control"}},
     {"engine/trials",

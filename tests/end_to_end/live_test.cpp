@@ -1,10 +1,13 @@
 // The program on real sound servers: sound leaves by one process and is heard by another.
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sched.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -15,8 +18,10 @@
 
 #include "audio/io/wav_writer.hpp"
 #include "audio/music/generator/music_generator.hpp"
+#include "base/descriptor.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/jack_server.hpp"
+#include "tests/support/peers.hpp"
 #include "tests/support/pulse_server.hpp"
 #include "tests/support/stall_watch.hpp"
 #include "tests/support/text.hpp"
@@ -136,6 +141,65 @@ TEST_F(LiveOnJack, hears_the_tempo_that_play_plays) {
     CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
     ASSERT_TRUE(player.wait_for_output("playing"));
     expect_tempo_of_the_drums([&] { return recording_of_the_player("14"); });
+    player.send(SIGINT);
+    EXPECT_EQ(player.wait().exit_code, 130);
+}
+
+TEST_F(LiveOnJack, without_a_dancer_beats_of_the_player_are_told) {
+    CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
+    ASSERT_TRUE(player.wait_for_output("playing"));
+    UdpReceiver osc;
+    const ProcessResult heard = run_process(with_jack({"live",
+                                                       "--no-avatar",
+                                                       "--device",
+                                                       "raks",
+                                                       "--duration",
+                                                       "12",
+                                                       "--lines",
+                                                       "-",
+                                                       "--osc",
+                                                       osc.place()}));
+    if (has_lost_device(heard)) {
+        GTEST_SKIP() << "the server has dropped a program that stood still";
+    }
+    EXPECT_EQ(heard.exit_code, 0) << heard.err;
+    EXPECT_NE(heard.err.find("nobody dances"), std::string::npos) << heard.err;
+    std::size_t triggers = 0;
+    for (const std::string& packet : osc.take_all()) {
+        triggers += packet.starts_with("/raks/trigger/beat") ? 1U : 0U;
+    }
+    EXPECT_GE(triggers, 8U) << heard.err;
+    EXPECT_EQ(triggers, static_cast<std::size_t>(count_of("\"do\":\"beat\"", heard.out)));
+    player.send(SIGINT);
+    EXPECT_EQ(player.wait().exit_code, 130);
+}
+
+TEST_F(LiveOnJack, without_a_dancer_a_tempo_is_taken_by_osc) {
+    CapturedProcess player(with_jack({"play", path("drums.wav"), "--headless"}));
+    ASSERT_TRUE(player.wait_for_output("playing"));
+    const std::string port = std::to_string(UdpReceiver().port());
+    CapturedProcess server(
+        with_jack({"live", "--no-avatar", "--device", "raks", "--osc-in", port}));
+    ASSERT_TRUE(server.wait_for_output("OSC is heard at 127.0.0.1:" + port));
+    const std::string packet(
+        "/raks/do/set-tempo\0\0,s\0\0"
+        "96.5\0\0\0\0",
+        32);
+    const Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
+    EXPECT_EQ(sendto(socket.number,
+                     packet.data(),
+                     packet.size(),
+                     0,
+                     reinterpret_cast<const sockaddr*>(&to),
+                     sizeof(to)),
+              static_cast<ssize_t>(packet.size()));
+    EXPECT_TRUE(server.wait_for_output("tempo held at 96.5 BPM"));
+    server.send(SIGINT);
+    EXPECT_EQ(server.wait().exit_code, 130);
     player.send(SIGINT);
     EXPECT_EQ(player.wait().exit_code, 130);
 }
@@ -284,6 +348,10 @@ void expect_latency_figures(const nlohmann::json& report) {
     EXPECT_GE(report["landings"].get<double>(), 15.0);
     EXPECT_LE(report["landings_missing"].get<double>(), 2.0);
     EXPECT_NEAR(report["landing_mean_ms"].get<double>(), 0.0, 15.0);
+    for (const char* name : {"osc", "os2l"}) {
+        const std::string protocol = name;
+        EXPECT_EQ(report[protocol + "_beats_arrived"], report[protocol + "_beats_heard"]) << name;
+    }
     EXPECT_LE(report["landing_sd_ms"].get<double>(), 25.0);
     EXPECT_GT(report["landing_abs_ms"]["max"].get<double>(), 0.0);
 }

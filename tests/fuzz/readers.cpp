@@ -52,6 +52,8 @@ std::span<const Reader> readers() {
         {"soundfont", read_soundfont, {}, 300, Content::bytes},
         {"soundfont_talk", read_soundfont_talk, {}, 2000, Content::bytes},
         {"decode_talk", read_decode_talk, {}, 2000, Content::bytes},
+        {"osc_packet", read_osc_packet, {}, 2000, Content::bytes},
+        {"remote_text", read_remote_text, {}, 2000},
         {"import_talk", read_import_talk, {}, 2000, Content::bytes},
         {"unpack_talk", read_unpack_talk, {}, 2000, Content::bytes},
         {"kept_dance", read_kept_dance, {}, 300, Content::bytes},

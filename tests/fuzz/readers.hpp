@@ -73,6 +73,8 @@ bool read_genre_samples(std::string_view bytes);       ///< and other files that
 bool read_soundfont(std::string_view bytes);           ///< SF2 or SF3, and plays it
 bool read_soundfont_talk(std::string_view bytes);      ///< what raks-soundfont may answer
 bool read_decode_talk(std::string_view bytes);         ///< what raks-decode may, of sound
+bool read_osc_packet(std::string_view bytes);          ///< that asks for actions
+bool read_remote_text(std::string_view text);          ///< of a page that asks for actions
 bool read_import_talk(std::string_view bytes);         ///< what raks-import may
 bool read_unpack_talk(std::string_view bytes);         ///< what raks-unpack may
 bool read_kept_dance(std::string_view changes);        ///< a solved dance, and what is changed

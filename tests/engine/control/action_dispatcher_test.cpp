@@ -50,17 +50,32 @@ TEST_F(Dispatcher, brings_a_text_to_the_handler_of_texts) {
     std::vector<std::string> danced;
     std::vector<double> listed;
     actions_.on(Action::choose_dance, [&](double value) { listed.push_back(value); });
-    actions_.on_text(Action::choose_dance,
-                     [&](const std::string& text) { danced.push_back(text); });
+    actions_.on_text(Action::choose_dance, [&](const std::string& text) -> Expected<void> {
+        danced.push_back(text);
+        return text == "polka" ? Expected<void>(fail("no polka here")) : Expected<void>();
+    });
     EXPECT_EQ(error_of({Action::choose_dance, 0.0, "salsa"}), "");
     EXPECT_EQ(error_of({Action::choose_dance}), "");
     EXPECT_TRUE(actions_.dispatch("dance", 0.0, "waltz"));
-    EXPECT_EQ(danced, (std::vector<std::string>{"salsa", "waltz"}));
+    EXPECT_EQ(error_of({Action::choose_dance, 0.0, "polka"}), "no polka here");
+    EXPECT_EQ(danced, (std::vector<std::string>{"salsa", "waltz", "polka"}));
     EXPECT_EQ(listed, std::vector{0.0});
     EXPECT_EQ(error_of({Action::choose_preset, 0.0, "x"}),
               "action preset: there is nothing here that does it");
     EXPECT_EQ(error_of({Action::quit, 0.0, "x"}), "action quit: it takes no name");
     EXPECT_TRUE(quit_.empty());
+}
+
+TEST_F(Dispatcher, tells_a_handler_when_the_request_came) {
+    std::vector<HostTime> moments;
+    actions_.on_dated(Action::tap_tempo, [&](double, HostTime came) { moments.push_back(came); });
+    const HostTime before = HostClock::now();
+    const HostTime came = before - std::chrono::milliseconds(40);
+    EXPECT_EQ(error_of({.action = Action::tap_tempo, .came = came}), "");
+    EXPECT_EQ(error_of({Action::tap_tempo}), "");
+    ASSERT_EQ(moments.size(), 2U);
+    EXPECT_EQ(moments[0], came);
+    EXPECT_GE(moments[1], before) << "when it is carried out";
 }
 
 TEST_F(Dispatcher, says_when_it_clamps) {

@@ -17,14 +17,16 @@ using std::chrono::milliseconds;
 /// Keeps what was asked of it.
 class Recorder final : public LiveTarget {
  public:
-    bool command(AnalyzerKind kind, double value) override {
+    bool command(AnalyzerKind kind, double value, HostTime came) override {
         music.emplace_back(kind, value);
+        moments.push_back(came);
         return has_room;
     }
     bool command(DancerKind kind, double value) override {
         dance.emplace_back(kind, value);
         return has_room;
     }
+    [[nodiscard]] bool has_dancers() const override { return has_somebody; }
     Bpm tempo() override { return Bpm(120.0); }
     Nanos latency_offset() override { return latency; }
     void set_latency_offset(Nanos offset) override { latency = offset; }
@@ -34,6 +36,7 @@ class Recorder final : public LiveTarget {
     void set_volume(float value) override { volumes.push_back(value); }
 
     std::vector<std::pair<AnalyzerKind, double>> music;
+    std::vector<HostTime> moments;  // of those of music
     std::vector<std::pair<DancerKind, double>> dance;
     std::vector<double> seeks;
     std::vector<float> volumes;
@@ -41,6 +44,7 @@ class Recorder final : public LiveTarget {
     int pauses = 0;
     bool has_room = true;
     bool has_file = true;
+    bool has_somebody = true;
 };
 
 class Live : public ::testing::Test {
@@ -107,6 +111,33 @@ TEST_F(Live, one_request_is_one_command_to_the_analyzer) {
         EXPECT_EQ(last_said(), row.said);
     }
     EXPECT_TRUE(target_.dance.empty());
+}
+
+TEST_F(Live, commands_to_the_tracker_have_the_moment_at_which_they_came) {
+    const HostTime came = HostClock::now() - milliseconds(70);
+    for (const Action action : {Action::tap_tempo, Action::nudge_beats, Action::resync_bar}) {
+        ASSERT_TRUE(actions_.dispatch({.action = action, .value = 10.0, .came = came}));
+        EXPECT_EQ(target_.moments.back(), came) << row_of(action).name;
+    }
+}
+
+TEST_F(Live, a_set_tempo_is_held_and_steps_go_on_from_it) {
+    ask(Action::set_tempo, 96.5);
+    EXPECT_EQ(target_.music.back(), std::pair(AnalyzerKind::set_tempo, 96.5));
+    EXPECT_EQ(last_said(), "tempo held at 96.5 BPM (R follows the music)");
+    ask(Action::change_tempo, 1.0);
+    EXPECT_EQ(target_.music.back().second, 97.5);
+    const auto refused = actions_.dispatch({Action::set_tempo, 300.0});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "action set-tempo: 300 BPM must be 40 to 230 BPM");
+}
+
+TEST_F(Live, where_nobody_dances_figures_are_not_asked_for) {
+    target_.has_somebody = false;
+    ActionDispatcher actions(say_);
+    live_.bind(actions);
+    EXPECT_FALSE(actions.handles(Action::keep_figure));
+    EXPECT_TRUE(actions.handles(Action::tap_tempo));
 }
 
 TEST_F(Live, steps_of_the_tempo_add_up_before_the_tracker_has_followed) {

@@ -68,9 +68,10 @@ TEST_F(GraphOnItsOwnClock, a_registered_reader_sees_what_the_main_thread_sees) {
 TEST_F(GraphOnItsOwnClock, a_reader_on_another_thread_is_told_every_hop_and_when_it_is_heard) {
     graph_->set_latency_offset(std::chrono::milliseconds(40));
     static_cast<void>(graph_->watch(HostClock::now()));
-    MusicState state;
+    FeedHop told;
+    const MusicState& state = told.music;
     for (HopIndex hop = 0; hop < 30; ++hop) {
-        wait_until([&] { return graph_->feed()->take(state); });
+        wait_until([&] { return graph_->feed()->take(told); });
         EXPECT_EQ(state.hop, hop);
     }
     pause();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "base/random.hpp"
@@ -134,14 +135,85 @@ TEST(BeatSchedule, tells_events_in_their_order_among_the_beats) {
     EXPECT_EQ(take_due(schedule, 0.75).at(0).event, MusicEvent::Kind::drop);
 }
 
+TEST(BeatSchedule, tells_accents_among_them) {
+    BeatSchedule schedule;
+    MusicState state = state_at(0.0, 0.0, 120.0);
+    state.accent = {.time = at(0.2), .strength = 0.5F, .band = MusicAccent::Band::low};
+    schedule.take(state);
+    EXPECT_EQ(take_due(schedule, 0.19).size(), 1U);
+    const auto due = take_due(schedule, 0.2);
+    ASSERT_EQ(due.size(), 1U);
+    EXPECT_EQ(due[0].kind, Notice::Kind::accent);
+    EXPECT_EQ(due[0].accent.strength, 0.5F);
+}
+
+TEST(BeatSchedule, goes_on_while_a_person_holds_the_tempo) {
+    BeatSchedule schedule;
+    MusicState state = state_at(0.0, 0.0, 120.0);
+    state.grid.confidence = 0.0F;
+    state.is_tempo_held = true;
+    schedule.take(state);
+    EXPECT_EQ(take_due(schedule, 0.5).size(), 1U);
+}
+
+TEST(BeatSchedule, has_half_the_beats_on_odd_counts_and_tells_the_others_for_their_bars) {
+    for (const int beats_per_bar : {3, 4}) {
+        BeatSchedule schedule(BeatSchedule::Pace::half);
+        std::string paced;
+        for (int hop = 0; hop < 600; ++hop) {
+            MusicState state = state_at(hop * 0.01, 0.0, 120.0);
+            state.grid.beats_per_bar = beats_per_bar;
+            schedule.take(state);
+            for (const Notice& notice : take_due(schedule, hop * 0.01)) {
+                EXPECT_TRUE(notice.is_counted);
+                EXPECT_EQ(notice.paced_tempo.bpm(), 60.0);
+                EXPECT_EQ(notice.tempo.bpm(), 120.0);
+                paced += notice.is_paced ? std::to_string(notice.count) : "-";
+            }
+        }
+        EXPECT_EQ(paced, beats_per_bar == 4 ? "1-3-1-3-1-3-" : "1-3-2-1-3-2-");
+    }
+}
+
+/// Whatever moves the grid: between two beats there is one more at most, and neither is near.
+TEST(BeatSchedule, has_twice_the_beats_with_one_half_way_to_the_next) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const CounterRandom random(seed, 2);
+        BeatSchedule schedule(BeatSchedule::Pace::twice);
+        double first = 0.0;
+        std::optional<Notice> before;
+        int halves = 0;
+        int beats = 0;
+        for (int hop = 0; hop < 3'000; ++hop) {
+            const double now = hop * 0.01;
+            if (hop % 61 == 0) {  // once in a beat at most
+                first += 0.2 * (random.uniform(static_cast<std::uint64_t>(hop)) - 0.5);
+            }
+            schedule.take(state_at(now, first, 120.0));
+            for (const Notice& notice : take_due(schedule, now)) {
+                EXPECT_TRUE(notice.is_paced);
+                EXPECT_EQ(notice.paced_tempo.bpm(), 240.0);
+                ++(notice.is_counted ? beats : halves);
+                if (before) {
+                    EXPECT_TRUE(notice.is_counted || before->is_counted) << "seed " << seed;
+                    EXPECT_GE(to_seconds(notice.time - before->time), 0.12) << "seed " << seed;
+                }
+                before = notice;
+            }
+        }
+        EXPECT_GE(beats, 55) << "seed " << seed;
+        EXPECT_GE(halves, beats - 3) << "seed " << seed;
+    }
+}
+
 TEST(BeatSchedule, keeps_the_newest_events_where_they_are_too_many) {
     BeatSchedule schedule;
     MusicState state;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 40; ++i) {
         state.event = {MusicEvent::Kind::entry, at(i)};
         schedule.take(state);
     }
-    EXPECT_EQ(take_due(schedule, 100.0).size(), 8U);
+    EXPECT_EQ(take_due(schedule, 100.0).size(), 32U);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class LineOutput : public ::testing::Test {
         OutputMoment moment;
         moment.notice.count = count;
         moment.notice.bar = 17;
-        moment.notice.tempo = Bpm(119.98);
+        moment.notice.paced_tempo = Bpm(119.98);
         moment.notice.confidence = 0.97F;
         moment.heard_at = HostClock::now();
         return moment;

@@ -30,6 +30,7 @@ Preset party() {
     preset.formation = "ring";
     preset.forbidden = Names{"rock"};
     preset.outputs = Names{"pipewire"};
+    preset.told = Names{"osc 127.0.0.1:9000,lead=30", "wled multicast"};
     return preset;
 }
 
@@ -125,6 +126,7 @@ TEST(PresetOverSettings, wins_over_files_and_yields_to_options) {
     EXPECT_EQ(now.camera, "side");
     now.camera = "wide";
     now.outputs = Names{"pipewire"};
+    now.told = party().told;
     EXPECT_EQ(now, party()) << "what is shown can be kept again";
 }
 

@@ -188,6 +188,10 @@ TEST_F(OverlayTest, every_field_is_seen) {
     differs("figure", [](auto& s) { s.figure = "turn"; });
     differs("count", [](auto& s) { s.figure_count = 4; });
     differs("source", [](auto& s) { s.source = "other.flac"; });
+    static const std::vector<OverlayTarget> kTold{{"--osc studio:9000   41 sent", false}};
+    static const std::vector<OverlayTarget> kLost{{"--osc studio:9000   41 sent", true}};
+    differs("target", [](auto& s) { s.targets = kTold; });
+    differs("target in trouble", [](auto& s) { s.targets = kLost; });
     differs("level", [](auto& s) { s.level_dbfs = -30.0F; });
     differs("loudness", [](auto& s) { s.loudness_lufs = -20.0F; });
     differs("volume", [](auto& s) { s.volume = 0.5F; });
