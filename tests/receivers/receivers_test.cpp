@@ -250,7 +250,6 @@ TEST_F(Receivers, chromium_shows_the_page_of_a_phone_and_its_buttons_work) {
     EXPECT_TRUE(said["faults"].empty()) << said["faults"];
     EXPECT_EQ(said["outside"], false) << "nothing is fetched from elsewhere";
     EXPECT_EQ(said["size"], "390x844") << "all of it is seen without scrolling";
-    EXPECT_EQ(said["dots"], 4);
     EXPECT_EQ(said["flashesUnasked"], 0.0);
     EXPECT_GE(said["flashes"], 2);
     EXPECT_GE(said["quickest"], 500.0) << "at most twice a second";

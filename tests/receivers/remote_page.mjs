@@ -56,7 +56,8 @@ await call("Emulation.setTouchEmulationEnabled", { enabled: true });
 await call("Page.navigate", { url: `http://127.0.0.1:${kPort}/` });
 await until("typeof state === 'object' && state !== null && state.locked && offset !== null && lastBeat(there()) !== null");
 said.size = await value("document.documentElement.scrollWidth + 'x' + document.documentElement.scrollHeight");
-said.dots = await value("document.querySelectorAll('#dots i').length");
+// The music has four beats a bar; until that is heard there may be another number.
+await until("document.querySelectorAll('#dots i').length === 4");
 writeFileSync(picture, Buffer.from((await call("Page.captureScreenshot", { format: "png" })).data, "base64"));
 await press("#hold");
 await until("state.held");
