@@ -164,6 +164,7 @@ void ArrivalWatch::add_spread(const std::string& name,
     const double mean =
         std::accumulate(late.begin(), late.end(), 0.0) / static_cast<double>(late.size());
     std::vector<double> deviations;
+    deviations.reserve(late.size());
     for (const double one : late) {
         deviations.push_back(std::abs(one - mean));
     }
@@ -178,6 +179,7 @@ void ArrivalWatch::add_to(BenchReport& report,
     add_spread("osc", osc_, audible, music, report);
     add_spread("os2l", os2l_, audible, music, report);
     std::vector<double> behind;
+    behind.reserve(osc_.size());
     for (const Arrival& arrival : osc_) {
         behind.push_back(1e3 * to_seconds(arrival.at - arrival.meant));
     }

@@ -20,7 +20,7 @@ namespace raks::engine {
 class RemoteServer {
  public:
     static constexpr int kMostConnections = 8;                 ///< the next one is refused (503)
-    static constexpr std::size_t kLongestRequest = 64 * 1024;  ///< bytes of a body or a message
+    static constexpr std::size_t kLongestRequest = 65'536;  ///< bytes of a body or a message
     static constexpr double kMostMessages = 50.0;  ///< a second and a page; then it is closed
     /// The port where none is named.
     static constexpr std::uint16_t kUsualPort = 7880;
