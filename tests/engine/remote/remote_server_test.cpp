@@ -45,7 +45,7 @@ class Client {
     std::string read(std::size_t size) {
         while (heard_.size() < size && more()) {
         }
-        const std::string text = heard_.substr(0, size);
+        std::string text = heard_.substr(0, size);
         heard_.erase(0, text.size());
         return text;
     }
@@ -294,6 +294,7 @@ TEST_F(Server, a_page_that_floods_is_let_go_and_others_are_not) {
 
 TEST_F(Server, the_ninth_connection_is_refused) {
     std::vector<std::unique_ptr<Client>> pages;
+    pages.reserve(RemoteServer::kMostConnections);
     for (int i = 0; i < RemoteServer::kMostConnections; ++i) {
         pages.push_back(page());
     }
