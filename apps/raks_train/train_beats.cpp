@@ -124,47 +124,58 @@ void print_progress(const audio::NetworkProgress& progress) {
                     progress.validation_loss));
 }
 
-// Trains the bar network on what the beat network of --from computes; that network's beats stay as
-// they are.
-Expected<void> learn_bars(const TrainBeatsArguments& options,
-                          const std::vector<audio::TrainingExcerpt>& corpus,
-                          const audio::NetworkNotes& notes) {
+// Trains a part beside the networks of --from, which stay as they are. `train` takes a plan and a
+// report, `set` puts the part where it belongs; `nothing`: why no part came of the music.
+template <typename Part, typename Plan, typename Train, typename Set>
+Expected<void> learn_part(const TrainBeatsArguments& options,
+                          const audio::NetworkNotes& notes,
+                          int steps,
+                          const char* nothing,
+                          const Train& train,
+                          const Set& set) {
     audio::BeatNetwork network = *options.network.start;
-    audio::BarPlan plan;
-    plan.steps = options.bar_steps;
+    Plan plan;
+    plan.steps = steps;
     plan.seed = options.network.seed;
     plan.threads = options.network.threads;
-    // Stays when no piece has bars, since then nothing is reported.
-    Expected<void> saved = fail("no piece of this music has bars to learn from");
+    // Stays where nothing is reported, as there was nothing to learn from.
+    Expected<void> saved = fail(nothing);
     // Every report saves the file: an interrupted training leaves the last state.
-    const auto report = [&](const audio::NetworkProgress& progress, const audio::BarNetwork& bars) {
+    train(plan, [&](const audio::NetworkProgress& progress, const Part& part) {
         print_progress(progress);
-        network.set_bars(std::make_shared<const audio::BarNetwork>(bars));
+        set(network, std::make_shared<const Part>(part));
         saved = audio::save_network(network, notes, options.output);
-    };
-    audio::train_bars(corpus, options.network.start, plan, report);
+    });
     return saved;
 }
 
-// Trains the network for the metre beside the networks of --from, which stay as they are.
+// The bar network learns from what the beat network of --from computes.
+Expected<void> learn_bars(const TrainBeatsArguments& options,
+                          const std::vector<audio::TrainingExcerpt>& corpus,
+                          const audio::NetworkNotes& notes) {
+    return learn_part<audio::BarNetwork, audio::BarPlan>(
+        options,
+        notes,
+        options.bar_steps,
+        "no piece of this music has bars to learn from",
+        [&](const audio::BarPlan& plan, const auto& report) {
+            audio::train_bars(corpus, options.network.start, plan, report);
+        },
+        [](audio::BeatNetwork& network, auto bars) { network.set_bars(std::move(bars)); });
+}
+
 Expected<void> learn_pulses(const TrainBeatsArguments& options,
                             const std::vector<audio::TrainingExcerpt>& corpus,
                             const audio::NetworkNotes& notes) {
-    audio::BeatNetwork network = *options.network.start;
-    audio::PulsePlan plan;
-    plan.steps = options.pulse_steps;
-    plan.seed = options.network.seed;
-    plan.threads = options.network.threads;
-    // Stays when no piece has even beats, since then nothing is reported.
-    Expected<void> saved = fail("no piece of this music has even beats to learn from");
-    const auto report = [&](const audio::NetworkProgress& progress,
-                            const audio::PulseNetwork& pulses) {
-        print_progress(progress);
-        network.set_pulses(std::make_shared<const audio::PulseNetwork>(pulses));
-        saved = audio::save_network(network, notes, options.output);
-    };
-    audio::train_pulses(corpus, plan, report);
-    return saved;
+    return learn_part<audio::PulseNetwork, audio::PulsePlan>(
+        options,
+        notes,
+        options.pulse_steps,
+        "no piece of this music has even beats to learn from",
+        [&](const audio::PulsePlan& plan, const auto& report) {
+            audio::train_pulses(corpus, plan, report);
+        },
+        [](audio::BeatNetwork& network, auto pulses) { network.set_pulses(std::move(pulses)); });
 }
 
 // Learns how sure a beat is from annotated music; the networks of --from stay as they are.

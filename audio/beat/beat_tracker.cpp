@@ -37,9 +37,6 @@ constexpr float kSilentDecay = 0.985F;                // a hop: confidence is go
 
 constexpr Nanos kAnnounceLead = kHop;
 
-// Difference of phases, in [-0.5, 0.5].
-double wrapped(double phase) { return phase - std::round(phase); }
-
 }  // namespace
 
 void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
@@ -216,7 +213,7 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     const double believed_rate = 1.0 / estimate.period_hops;
     // The estimate is of `lag_hops` ago; the user's nudge and the onset's lag are added.
     const double lag = (lag_hops + kOnsetLagHops - nudge_hops_) * believed_rate;
-    const double error = wrapped(estimate.phase + lag - position_);
+    const double error = std::remainder(estimate.phase + lag - position_, 1.0);
     const bool is_tempo_apart =
         !is_tempo_held_ && std::abs(beats_per_hop_ / believed_rate - 1.0) > kApartTempo;
     const bool is_apart = is_tempo_apart || std::abs(error) > kApartPhase;
@@ -282,7 +279,7 @@ void BeatTracker::track_bars(const TrackedHop& hop) noexcept {
 // What lies off the pulse that is believed to be the beat counts less: changing over costs.
 BeatEvidence BeatTracker::as_believed(const BeatEvidence& evidence, int lag) const noexcept {
     const double position = position_ - (lag + kOnsetLagHops - nudge_hops_) * beats_per_hop_;
-    const double hops_away = wrapped(position) / beats_per_hop_ / kBelievedReach;
+    const double hops_away = std::remainder(position, 1.0) / beats_per_hop_ / kBelievedReach;
     const auto off = static_cast<float>(1.0 - std::exp(-0.5 * hops_away * hops_away));
     const float belief = std::max(0.0F, 2.0F * pulses_.right() - 1.0F);
     BeatEvidence believed = evidence;
@@ -418,134 +415,6 @@ void BeatTracker::announce(const TrackedHop& hop, MusicState& state) noexcept {
             state.predicted = predicted;
         }
         ++next_predicted_;
-    }
-}
-
-bool BeatTracker::command(const AnalyzerCommand& command) noexcept RAKS_NONBLOCKING {
-    return commands_.push(command);
-}
-
-void BeatTracker::run_commands(StreamTime now) noexcept {
-    commands_.run_due(now, [&](const AnalyzerCommand& command) { apply(command, now); });
-}
-
-// Moves the grid to this phase by the shortest way.
-void BeatTracker::set_position(double phase) noexcept { position_ += wrapped(phase - position_); }
-
-// The user's tempo: grid and pointer both take it. A grid near a beat keeps that beat.
-void BeatTracker::change_tempo(double bpm) noexcept {
-    const double in_range = std::clamp(bpm, kSlowestTempo.bpm(), kFastestTempo.bpm());
-    beats_per_hop_ = in_range / (60.0 * kHopsPerSecond);
-    begin_tempo();
-    is_tempo_chosen_ = true;
-    forget_pulses();
-    pointer_.expect_tempo(in_range);
-    if (std::abs(wrapped(position_)) < 0.25) {
-        pointer_.expect_beat();
-    }
-}
-
-// Allows any tempo; those of the hinted dance are likelier.
-void BeatTracker::release_tempo() noexcept {
-    is_tempo_held_ = is_tempo_chosen_ = false;
-    const DanceInfo* const dance = dances_ ? dances_->find(hint_) : nullptr;
-    if (dance != nullptr) {
-        pointer_.expect_range(dance->lowest.bpm(), dance->highest.bpm());
-    } else {
-        pointer_.expect_any_tempo();
-    }
-}
-
-// Half or double tempo: beat numbers continue, and each new downbeat is one of the old ones.
-void BeatTracker::change_octave(double factor) noexcept {
-    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
-    // At half tempo a bar of the new count lasts two of the old one.
-    const double bar = bars_.beats_per_bar() / std::min(1.0, factor);
-    const double from_origin = position_ - static_cast<double>(bars_.origin());
-    const double in_bar = factor * (from_origin - bar * std::floor(from_origin / bar));
-    const double whole = std::floor(position_);
-    position_ = whole + in_bar - std::floor(in_bar);
-    bars_.recount(std::lround(whole - std::floor(in_bar)));
-    change_tempo(factor * bpm);
-    pointer_.believe(factor * bpm, in_bar - std::floor(in_bar));
-    forget_bars();
-}
-
-// This pulse becomes the beat. Where its count 1 is has to be found anew.
-void BeatTracker::take_pulse(const RivalPulse& rival) noexcept {
-    const double position = rival.rate * position_ + rival.offset;
-    const double phase = position - std::floor(position);
-    position_ = std::floor(position_) + phase;
-    beats_per_hop_ *= rival.rate;
-    begin_tempo();
-    pointer_.believe(beats_per_hop_ * kHopsPerSecond * 60.0, phase);
-    hops_apart_ = 0;
-    margins_.reset();
-    bars_.reset();
-    forget_bars();
-    forget_pulses();
-}
-
-// The likeliest of the pulses with three beats for two or two for three becomes the beat.
-void BeatTracker::take_three_two() noexcept {
-    const double bpm = beats_per_hop_ * kHopsPerSecond * 60.0;
-    const RivalPulse rival = margins_.likeliest([bpm](const RivalPulse& pulse) {
-        return is_followed(Bpm(bpm * pulse.rate)) &&
-               (pulse.kind == RivalKind::three_for_two || pulse.kind == RivalKind::two_for_three);
-    });
-    take_pulse(rival);
-    change_tempo(beats_per_hop_ * kHopsPerSecond * 60.0);
-}
-
-void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept {
-    using Kind = AnalyzerCommand::Kind;
-    const double hops_ago = to_seconds(now - command.time) * kHopsPerSecond;
-    switch (command.kind) {
-        case Kind::tap:
-            if (const auto tapped = taps_.tap(command.time)) {
-                change_tempo(*tapped);
-                set_position(hops_ago * beats_per_hop_);
-                pointer_.expect_beat();
-            }
-            break;
-        case Kind::half_tempo:
-            change_octave(0.5);
-            break;
-        case Kind::double_tempo:
-            change_octave(2.0);
-            break;
-        case Kind::three_two:
-            take_three_two();
-            break;
-        case Kind::nudge: {
-            const double hops = std::clamp(command.value, -0.5, 0.5) * kHopsPerSecond;
-            nudge_hops_ += hops;
-            position_ -= hops * beats_per_hop_;
-            break;
-        }
-        case Kind::resync_bar:
-            bars_.hold(std::lround(position_ - hops_ago * beats_per_hop_));
-            break;
-        case Kind::set_tempo:
-            change_tempo(command.value);
-            is_tempo_held_ = true;
-            break;
-        case Kind::hold_tempo:
-            pointer_.expect_tempo(beats_per_hop_ * kHopsPerSecond * 60.0);
-            pointer_.believe(beats_per_hop_ * kHopsPerSecond * 60.0,
-                             position_ - std::floor(position_));
-            is_tempo_held_ = true;
-            break;
-        case Kind::release_tempo:
-            release_tempo();
-            break;
-        case Kind::hint_genre:
-            hint_ = static_cast<DanceId>(
-                std::clamp(static_cast<int>(command.value), 0, static_cast<int>(DanceId::none)));
-            if (!is_tempo_held_) {
-                release_tempo();
-            }
-            break;
     }
 }
 

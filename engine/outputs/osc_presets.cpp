@@ -24,15 +24,27 @@ class ToldTempo {
     std::optional<double> told_;
 };
 
-class PlainOsc final : public OscOutput {
+/// What knows beats alone.
+class BeatOsc : public OscOutput {
  public:
     using OscOutput::OscOutput;
 
-    void tell(const OutputMoment& moment) override {
-        const Notice& beat = moment.notice;
-        if (beat.kind != Notice::Kind::beat) {
-            return;
+    void tell(const OutputMoment& moment) final {
+        if (moment.notice.kind == Notice::Kind::beat) {
+            tell_beat(moment.notice);
         }
+    }
+
+ private:
+    virtual void tell_beat(const Notice& beat) = 0;
+};
+
+class PlainOsc final : public BeatOsc {
+ public:
+    using BeatOsc::BeatOsc;
+
+ private:
+    void tell_beat(const Notice& beat) override {
         if (beat.is_paced) {
             send("/beat", 1.0F);
         }
@@ -44,20 +56,16 @@ class PlainOsc final : public OscOutput {
         }
     }
 
- private:
     ToldTempo tempo_;
 };
 
 // Its tempo is 0 to 1 from 20 to 500 BPM; a resync says "now is the first beat".
-class ResolumeOsc final : public OscOutput {
+class ResolumeOsc final : public BeatOsc {
  public:
-    using OscOutput::OscOutput;
+    using BeatOsc::BeatOsc;
 
-    void tell(const OutputMoment& moment) override {
-        const Notice& beat = moment.notice;
-        if (beat.kind != Notice::Kind::beat) {
-            return;
-        }
+ private:
+    void tell_beat(const Notice& beat) override {
         if (tempo_.is_new(beat.paced_tempo)) {
             const double share = (beat.paced_tempo.bpm() - 20.0) / 480.0;
             send("/composition/tempocontroller/tempo",
@@ -70,7 +78,6 @@ class ResolumeOsc final : public OscOutput {
         }
     }
 
- private:
     ToldTempo tempo_;
     bool owes_resync_ = false;
 };

@@ -19,7 +19,7 @@ namespace raks::engine {
 /// Threads: main, for all methods; it has threads of its own, one a connection.
 class RemoteServer {
  public:
-    static constexpr int kMostConnections = 8;                 ///< the next one is refused (503)
+    static constexpr int kMostConnections = 8;              ///< the next one is refused (503)
     static constexpr std::size_t kLongestRequest = 65'536;  ///< bytes of a body or a message
     static constexpr double kMostMessages = 50.0;  ///< a second and a page; then it is closed
     /// The port where none is named.
