@@ -2,7 +2,7 @@
 # A night in short: `raks live` and `raks play` run on a PulseAudio server of their own while every
 # minute something goes wrong: the server is killed and comes back, the default changes, a sink is
 # removed, the programs are stopped for 5 s, the processor is busy, who is told of the beats is killed and
-# comes back. At the end both must be there,
+# comes back, the disk that beats are written to is full, the default sink is 300 ms late. At the end both must be there,
 # with no thread or descriptor more than at the start, no growing memory, and the tempo of the music.
 #   scripts/night.sh [MINUTES]     30 when not given; 6 at least
 # Needs the packages of scripts/setup.sh. Prints a line a minute; exit code 1 when something is wrong.
@@ -13,7 +13,7 @@ raks=$PWD/build/release/bin/raks
 folder=$(mktemp -d)
 pids=()
 stop() {
-    for pid in "${pids[@]}" ${server:-} ${receiver:-}; do kill "$pid" 2>/dev/null || true; done
+    for pid in "${pids[@]}" ${server:-} ${receiver:-} ${far_server:-}; do kill "$pid" 2>/dev/null || true; done
     wait 2>/dev/null || true
     rm -rf "$folder"
 }
@@ -60,7 +60,17 @@ pids+=($live $play)
 kilobytes() { awk '/^VmRSS/ { print $2 }' "/proc/$1/status"; }
 count() { find "/proc/$1/$2" -mindepth 1 -maxdepth 1 | wc -l; }
 state() { echo "$(count "$1" task) threads, $(count "$1" fd) files, $(kilobytes "$1") kB"; }
-faults=(kill switch remove stop busy peer)
+# A sink behind a second server, which sounds 300 ms late.
+add_far_sink() {
+    pulseaudio -n --daemonize=no --exit-idle-time=-1 --realtime=no --high-priority=no --disable-shm=yes \
+        --use-pid-file=no -L "module-native-protocol-unix socket=$folder/far" \
+        -L "module-null-sink sink_name=far rate=48000" >>"$folder/server.log" 2>&1 &
+    far_server=$!
+    until pactl --server="unix:$folder/far" info >/dev/null 2>&1; do sleep 0.1; done
+    far_module=$(pactl load-module module-tunnel-sink server="unix:$folder/far" sink=far sink_name=late \
+        latency_msec=300)
+}
+faults=(kill switch remove stop busy peer disk late)
 wreck() {
     case $1 in
         kill)
@@ -86,6 +96,18 @@ wreck() {
             wait $receiver 2>/dev/null || true
             sleep 20
             hear_beats ;;
+        disk)
+            timeout -s INT 20 "$raks" play "$folder/drums.wav" --headless --volume 0 --lines /dev/full \
+                2>"$folder/disk.err" || [ $? -eq 124 ] || disk_trouble="it ends"
+            [ "$(grep -c "No space left" "$folder/disk.err")" -eq 1 ] || disk_trouble="it is not said once" ;;
+        late)
+            add_far_sink
+            pactl set-default-sink late
+            sleep 20
+            pactl set-default-sink speakers
+            pactl unload-module "$far_module"
+            kill "$far_server"
+            wait "$far_server" 2>/dev/null || true ;;
         busy)
             for i in 1 2 3 4; do timeout 15 sh -c 'while :; do :; done' & done
             sleep 15 ;;
@@ -120,6 +142,7 @@ echo "beats since the receiver came back: $(tail -n 1 "$folder/beats")"
 tail -n 1 "$folder/beats" | grep -q '"osc": [1-9].*"os2l": [1-9].*"wled": [1-9]' || wrong "a target gets no beats any more"
 [ "$(grep -c "nobody listens there\|closed the connection\|reset by peer" "$folder/play.err")" -le 3 ] ||
     wrong "a lost peer is said more than once"
+[ -z "${disk_trouble:-}" ] || wrong "with a full disk $disk_trouble"
 [ $live_code -eq 130 ] && [ $play_code -eq 130 ] || wrong "exit codes $live_code and $play_code, not 130"
 [ "${last_live%,*}" = "${first_live%,*}" ] || wrong "live had $first_live, has $last_live"
 [ "${last_play%,*}" = "${first_play%,*}" ] || wrong "play had $first_play, has $last_play"

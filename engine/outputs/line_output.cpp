@@ -79,7 +79,7 @@ class LineOutput final : public Output {
                 waiting_.erase(0, static_cast<std::size_t>(written));
             } else if (errno != EINTR && errno != EAGAIN) {
                 has_ended_ = true;
-                trouble_ = "--lines: " + name_ + ": " + std::generic_category().message(errno) +
+                trouble_ = name_ + ": " + std::generic_category().message(errno) +
                            "; no more lines go there";
             } else {
                 return;

@@ -66,6 +66,18 @@ TEST_F(LineOutput, refuses_a_file_that_is_there) {
     EXPECT_FALSE(open_lines(path("no/such/folder/x")));
 }
 
+TEST_F(LineOutput, says_once_that_the_disk_is_full) {
+    auto output = open_lines("/dev/full");
+    ASSERT_TRUE(output) << output.error().message;
+    (*output)->tell(beat(1));
+    EXPECT_EQ((*output)->take_trouble(),
+              "/dev/full: No space left on device; no more lines go there");
+    (*output)->tell(beat(2));
+    EXPECT_FALSE((*output)->take_trouble());
+    EXPECT_EQ((*output)->sent(), 0U);
+    EXPECT_EQ((*output)->dropped(), 2U);
+}
+
 TEST_F(LineOutput, drops_whole_lines_while_nobody_reads_and_goes_on_then) {
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     auto output = open_lines(path("pipe"));
