@@ -468,6 +468,32 @@ void MusicAnalyzer::skip(Nanos lost) noexcept RAKS_NONBLOCKING {
     state.lost_samples += (samples + 1) / 2 * 2;
 }
 
+void MusicAnalyzer::tell(const ToldSong& song) noexcept RAKS_NONBLOCKING {
+    state_->tracker.expect_told(song.bpm);
+    if (state_->recognizer) {
+        state_->recognizer->expect(song.genre_prior);
+    }
+}
+
+void MusicAnalyzer::begin_song() noexcept RAKS_NONBLOCKING {
+    State& state = *state_;
+    state.is_discontinuity = state.is_other_music = true;
+    state.tracker.begin_song();
+    state.paper.jump();
+    if (state.evidence) {
+        state.evidence->jump();
+    }
+    state.form.reset();
+    state.cepstral_mean.reset();
+    if (state.recognizer) {
+        state.recognizer->reset();
+    }
+    state.hinted = DanceId::none;
+    state.has_sound = false;
+}
+
+void MusicAnalyzer::announce_pause() noexcept RAKS_NONBLOCKING { state_->form.announce_pause(); }
+
 void MusicAnalyzer::reset() noexcept RAKS_NONBLOCKING { state_->reset(); }
 
 // The resampler's delay, and half a window after the hop's time.

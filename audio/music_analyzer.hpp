@@ -27,6 +27,12 @@ struct TrackedHop;      // audio/beat/beat_tracker.hpp
 struct HopSound;        // audio/form/hop_sound.hpp
 class TagSource;        // audio/genre/tag_source.hpp
 
+/// What is known of a song beside its sound, as its tags say it.
+struct ToldSong {
+    GenreLogProbabilities genre_prior{};  ///< AnalyzerConfig::genre_prior
+    double bpm = 0.0;                     ///< AnalyzerConfig::told_bpm
+};
+
 /// What MusicAnalyzer::prepare() needs to know.
 struct AnalyzerConfig {
     SampleRate sample_rate{48'000};                ///< of process()'s samples, 8 to 192 kHz
@@ -111,6 +117,19 @@ class MusicAnalyzer {
     /// first state after it has is_discontinuity, and after more than 200 ms the beat is sought
     /// anew. With 0: a jump to other audio (a seek), the beat is sought anew.
     void skip(Nanos lost) noexcept RAKS_NONBLOCKING;
+
+    /// From now on this is told of the music, in place of what was told before. What was heard so
+    /// far stays.
+    void tell(const ToldSong& song) noexcept RAKS_NONBLOCKING;
+
+    /// Another song begins with the next sample: beat, bar, form and genre of the one before are
+    /// forgotten, as at the start of a file. Stream time and the numbers of hops and beats go on;
+    /// so does what a person asked for: commands and a held tempo.
+    void begin_song() noexcept RAKS_NONBLOCKING;
+
+    /// Whoever plays the music has paused it: it stops as soon as it is quiet, without waiting
+    /// whether that is but a gap in it. Holds for a second.
+    void announce_pause() noexcept RAKS_NONBLOCKING;
 
     /// Back to the state after prepare(). Commands and held tempi are forgotten.
     void reset() noexcept RAKS_NONBLOCKING;

@@ -48,6 +48,24 @@ std::string why_no_dance_name(std::string_view name) {
         kLongestName);
 }
 
+std::string made_dance_name(std::string_view text) {
+    std::string name;
+    for (const char c : text) {
+        const bool is_kept = is_letter_or_digit(c) || c == '-';
+        if (is_kept ? !(c == '-' && name.empty()) : !name.empty() && name.back() != '_') {
+            name += is_kept ? c : '_';
+        }
+    }
+    name.resize(std::min(name.size(), kLongestName));
+    while (!name.empty() && !is_letter_or_digit(name.back())) {
+        name.pop_back();
+    }
+    if (name.empty()) {
+        return "dance";
+    }
+    return is_taken(name) ? "dance_" + name : name;
+}
+
 DanceList::DanceList(std::vector<DanceInfo> dances) : dances_(std::move(dances)) {
     RAKS_ASSERT(dances_.size() <= kMostDances);
 }

@@ -55,6 +55,10 @@ struct DanceInfo {
 [[nodiscard]] bool is_dance_name(std::string_view name) noexcept;
 /// One line that quotes the name and says why it is not valid; for error messages.
 [[nodiscard]] std::string why_no_dance_name(std::string_view name);
+/// A valid dance name that is most like a text, such as the name of a file: what a name may not
+/// have becomes one '_', and what begins or ends with it or with '-' loses that. "my dance (2)" is
+/// my_dance_2. A text of which nothing is left, and a word that options use, is dance_TEXT.
+[[nodiscard]] std::string made_dance_name(std::string_view text);
 
 /// The dances that a program knows, in the order in which they are listed and chosen. At most
 /// kMostDances. Immutable once it is shared. Threads: any may read. Real-time: find by id yes.

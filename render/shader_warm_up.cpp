@@ -61,9 +61,13 @@ Avatar without_images(const Avatar& avatar) {
     plain.surface.skins = avatar.surface.skins;
     plain.surface.materials = avatar.surface.materials;
     plain.surface.textures = avatar.surface.textures;
-    for (const Image& image : avatar.surface.images) {
-        plain.surface.images.push_back(stand_in(image));
+    std::vector<Image> stand_ins;
+    if (avatar.surface.images != nullptr) {
+        for (const Image& image : *avatar.surface.images->get()) {
+            stand_ins.push_back(stand_in(image));
+        }
     }
+    plain.surface.images = std::make_shared<SurfaceImages>(std::move(stand_ins));
     return plain;
 }
 

@@ -64,14 +64,16 @@ GLint wrap_of(TextureWrap wrap) noexcept {
     return GL_REPEAT;
 }
 
-const Image& image_of(const Surface& surface, int texture) noexcept {
+const Image& image_of(const Surface& surface,
+                      const SurfaceImages::Images& images,
+                      int texture) noexcept {
     static const Image kWhite{1, 1, {255, 255, 255, 255}};
     const int place = surface.textures[static_cast<std::size_t>(texture)].image;
-    if (place < 0) {
+    if (place < 0 || images == nullptr) {
         return kWhite;
     }
     // Empty: it could not be read.
-    const Image& image = surface.images[static_cast<std::size_t>(place)];
+    const Image& image = (*images)[static_cast<std::size_t>(place)];
     return image.pixels.empty() ? kWhite : image;
 }
 
@@ -134,7 +136,10 @@ Expected<const gl::Program*> SurfacePrograms::find(const ModelMaterial& material
 }
 
 SurfaceUpload::SurfaceUpload(const Surface& surface, SurfacePrograms& programs)
-    : surface_(&surface), programs_(&programs), loaded_(room_for(surface, programs.quality())) {
+    : surface_(&surface),
+      images_(surface.images == nullptr ? nullptr : surface.images->get()),
+      programs_(&programs),
+      loaded_(room_for(surface, programs.quality())) {
     for (const ModelMaterial& material : surface.materials) {
         const SurfaceUniforms& uniforms =
             loaded_.uniforms.emplace_back(surface_uniforms(material, loaded_.quality));
@@ -192,7 +197,14 @@ Expected<bool> SurfaceUpload::next() {
         }
         return false;
     }
-    return !put_texture();
+    if (put_texture()) {
+        return false;
+    }
+    if (images_ != nullptr) {
+        images_.reset();
+        surface_->images->let_go();
+    }
+    return true;
 }
 
 // True: there was something to do.
@@ -230,7 +242,7 @@ bool SurfaceUpload::put_texture() {
         return false;
     }
     const auto [index, is_srgb] = wanted_[texture_];
-    const Image& image = image_of(*surface_, index);
+    const Image& image = image_of(*surface_, images_, index);
     if (row_ == 0) {
         loaded_.textures.push_back(
             room_for(image, surface_->textures[static_cast<std::size_t>(index)], is_srgb));

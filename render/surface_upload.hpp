@@ -72,7 +72,7 @@ struct LoadedSurface {
 ///     SurfacePainter painter(std::move(upload).finished());
 class SurfaceUpload {
  public:
-    /// `surface` must live until the last piece, `programs` longer.
+    /// `surface` must live until the last piece, when its images are let go, `programs` longer.
     SurfaceUpload(const Surface& surface, SurfacePrograms& programs);
     /// Does the next piece: one program, or about kPieceBytes. True: it was the last.
     /// Errors: a shader that the driver refuses.
@@ -92,6 +92,7 @@ class SurfaceUpload {
     [[nodiscard]] std::size_t planned(const TextureUse& use, bool is_colour);
 
     const Surface* surface_;
+    SurfaceImages::Images images_;  // null: it has none, or all are there
     SurfacePrograms* programs_;
     LoadedSurface loaded_;
     /// A texture that parts use, and whether its sampler makes shown colours linear.

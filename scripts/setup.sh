@@ -23,8 +23,9 @@ declare -A lists=(
         libopencv-contrib-dev libceres-dev"
     # Pictures through PipeWire: play and live --video-out pipewire.
     [stream]="libpipewire-0.3-dev"
-    # HTTP and a page for phones: play and live --remote.
-    [remote]="libcivetweb-dev libqrencode-dev"
+    # HTTP and a page for phones (play and live --remote), what players play (--now-playing), MIDI
+    # through ALSA (--midi-clock, --midi-in).
+    [remote]="libcivetweb-dev libqrencode-dev libsystemd-dev librtmidi-dev"
     # What the tests need that open no window and no sound device.
     [test]="git ccache mold libgtest-dev libgmock-dev libebur128-dev sox flac lame opus-tools ffmpeg imagemagick valgrind"
     # Sound servers, a display, checkers of code and of packages: all that CI runs.
@@ -33,7 +34,8 @@ declare -A lists=(
         dpkg-dev lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin man-db zsh fish
         clang-format clang-tidy clang-14 libclang-rt-14-dev"
     # Programs that are told of the music, for the tests with the label receivers.
-    [receivers]="liblo-tools qlcplus python3 curl chromium"
+    [receivers]="liblo-tools qlcplus python3 curl chromium mpv mpv-mpris playerctl jack-midi-clock
+        ableton-link-utils"
     # scripts/fuzz.sh and scripts/rtsan.sh
     [fuzz]="clang-14 libclang-rt-14-dev"
     [rtsan]="clang-22 libclang-rt-22-dev llvm-14"

@@ -1,6 +1,8 @@
-// What options say of how the body of a motion clip lies in its file: `--up`, `--unit`, `--height`.
+// What options say of how the body of a motion clip lies in its file: `--up`, `--unit`, `--height`,
+// `--arm-angle`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "motion/skeleton/body/body_finder.hpp"
@@ -13,6 +15,8 @@ struct BodyArguments {
     std::string up;       ///< "z"; empty: found
     std::string unit;     ///< "cm"; empty: found
     double height = 0.0;  ///< of the body, metres; 0: found
+    /// That the arms of a VMD's body hang below the horizon, degrees; none: the usual one.
+    std::optional<double> arm_angle{};
 
     /// Whether the unit was given, in one of the three ways.
     [[nodiscard]] bool has_unit() const { return scale > 0.0 || height > 0.0 || !unit.empty(); }

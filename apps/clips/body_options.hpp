@@ -2,6 +2,8 @@
 // tables of commands alone.
 #pragma once
 
+#include <optional>
+
 #include "apps/clips/body_arguments.hpp"
 #include "apps/terminal/option_checks.hpp"
 
@@ -9,7 +11,17 @@
 
 namespace raks::apps {
 
-/// Adds `--scale`, `--up`, `--unit` and `--height` to a command.
+/// Adds `--arm-angle` to a command; the value must outlive the parsing.
+inline CLI::Option* add_arm_angle_option(CLI::App& app, std::optional<double>& arm_angle) {
+    return app
+        .add_option_function<double>(
+            "--arm-angle",
+            [&arm_angle](const double& degrees) { arm_angle = degrees; },
+            "degrees that the arms of a VMD's or VPD's body hang at rest; 35 is usual")
+        ->check(in_range(0.0, 90.0));
+}
+
+/// Adds `--scale`, `--up`, `--unit`, `--height` and `--arm-angle` to a command.
 inline void add_body_options(CLI::App& app, BodyArguments& arguments) {
     // From a tenth of a millimetre to 10 m: the units of motion files differ that much.
     auto* scale = app.add_option("--scale", arguments.scale, "metres per unit of the file")
@@ -23,6 +35,7 @@ inline void add_body_options(CLI::App& app, BodyArguments& arguments) {
         ->check(in_range(0.3, 3.0))
         ->excludes(scale)
         ->excludes(unit);
+    add_arm_angle_option(app, arguments.arm_angle);
 }
 
 }  // namespace raks::apps

@@ -7,12 +7,15 @@
 
 namespace raks::apps {
 
-motion::MotionReadOptions clip_reading(double fps, const std::filesystem::path& skeleton) {
+motion::MotionReadOptions clip_reading(double fps,
+                                       const std::filesystem::path& skeleton,
+                                       std::optional<double> arm_angle) {
     motion::MotionReadOptions options;
     if (fps > 0.0) {
         options.frames_per_second = fps;
     }
     options.skeleton = skeleton;
+    options.arm_angle = arm_angle;
     options.read_model = [](const motion::ClipAddress& address,
                             std::optional<double> frames_per_second) {
         return render::read_model_motion(address.file, address.clip, frames_per_second);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "apps/clips/joint_options.hpp"
@@ -11,9 +12,11 @@
 namespace raks::apps {
 
 /// The door with models joined to it. `fps`: frames a second where the file is wrong; 0: the
-/// file's. `skeleton`: of an .amc; empty: looked for beside it.
+/// file's. `skeleton`: of an .amc; empty: looked for beside it. `arm_angle`: of a motion of
+/// MikuMikuDance, degrees; none: the usual one.
 [[nodiscard]] motion::MotionReadOptions clip_reading(double fps,
-                                                     const std::filesystem::path& skeleton = {});
+                                                     const std::filesystem::path& skeleton = {},
+                                                     std::optional<double> arm_angle = {});
 
 /// Whether files that options name can be opened and the joints be read, also where the command
 /// will have no use for them. Paths may be empty: none. Errors: the first that cannot; those of

@@ -1,6 +1,7 @@
 #include "apps/raks/avatar_document.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "base/json.hpp"
@@ -55,6 +56,7 @@ struct MappedBone {
     std::string_view name;
     int node;
     std::string_view reason;
+    float confidence;
 };
 
 std::vector<MappedBone> mapped_bones(const Model& model) {
@@ -63,17 +65,22 @@ std::vector<MappedBone> mapped_bones(const Model& model) {
     const std::string_view face =
         render::words_of(is_stated ? render::BoneReason::stated : render::BoneReason::name);
     std::vector<MappedBone> bones;
-    const auto add = [&](std::string_view name, int node, std::string_view reason) {
-        if (node >= 0) {
-            bones.push_back({name, node, reason});
-        }
-    };
+    const auto add =
+        [&](std::string_view name, int node, std::string_view reason, float confidence) {
+            if (node >= 0) {
+                bones.push_back({name, node, reason, confidence});
+            }
+        };
     for (std::size_t i = 0; i < humanoid.nodes.size(); ++i) {
-        add(motion::kBoneNames[i], humanoid.nodes[i], render::words_of(humanoid.reasons[i]));
+        add(motion::kBoneNames[i],
+            humanoid.nodes[i],
+            render::words_of(humanoid.reasons[i]),
+            humanoid.confidence[i]);
     }
-    add("leftEye", humanoid.left_eye, face);
-    add("rightEye", humanoid.right_eye, face);
-    add("jaw", humanoid.jaw, face);
+    const float of_face = is_stated ? 1.0F : 0.9F;
+    add("leftEye", humanoid.left_eye, face, of_face);
+    add("rightEye", humanoid.right_eye, face, of_face);
+    add("jaw", humanoid.jaw, face, of_face);
     return bones;
 }
 
@@ -172,7 +179,10 @@ Json avatar_document(const Model& model, const std::string& file) {
     Json& humanoid = json["humanoid"] = Json::object();
     for (const MappedBone& bone : mapped_bones(model)) {
         humanoid[std::string(bone.name)] = {
-            {"node", bone.node}, {"name", node_name(model, bone.node)}, {"reason", bone.reason}};
+            {"node", bone.node},
+            {"name", node_name(model, bone.node)},
+            {"reason", bone.reason},
+            {"confidence", std::round(static_cast<double>(bone.confidence) * 100.0) / 100.0}};
     }
     Json& materials = json["materials"] = Json::array();
     for (const render::ModelMaterial& material : model.materials) {
@@ -192,10 +202,13 @@ std::string avatar_text(const Model& model, const std::string& file) {
     text += bones.empty() ? "no bones of a body are found in it\n"
                           : fmt::format("{} bones of a body\n", bones.size());
     for (const MappedBone& bone : bones) {
-        text += fmt::format("  {:<24} {} ({})\n",
-                            bone.name,
-                            printable(node_name(model, bone.node), 60),
-                            bone.reason);
+        constexpr float kSure = 0.7F;
+        text += fmt::format(
+            "  {:<24} {} ({}{})\n",
+            bone.name,
+            printable(node_name(model, bone.node), 60),
+            bone.reason,
+            bone.confidence < kSure ? fmt::format(", doubtful: {:.2f}", bone.confidence) : "");
     }
     text += fmt::format("{} materials\n", model.materials.size());
     for (const render::ModelMaterial& material : model.materials) {

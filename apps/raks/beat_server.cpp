@@ -4,6 +4,7 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/kept_window.hpp"
+#include "apps/raks/player_desk.hpp"
 #include "apps/raks/remote_desk.hpp"
 #include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/program.hpp"
@@ -22,24 +23,24 @@ namespace raks::apps {
 namespace {
 
 constexpr Nanos kServerNap = std::chrono::milliseconds(100);
-constexpr Nanos kRemoteNap = std::chrono::milliseconds(20);  // where somebody may ask
+constexpr Nanos kRemoteNap = std::chrono::milliseconds(20);  // where somebody may ask or say
 
 // No tagger: it is for people's choice of a dance, and large.
-Expected<engine::AnalyzerModels> load_ears() {
+Expected<engine::AnalyzerModels> load_ears(engine::FileTags tags) {
     const EndAtOnceOnSignals at_once;
     const auto catalogue = engine::DanceCatalogue::load();
     if (!catalogue) {
         return fail(catalogue.error());
     }
-    return engine::load_analyzer_models(catalogue->list(),
-                                        {engine::TaggerUse::off, engine::FileTags::ignored});
+    return engine::load_analyzer_models(catalogue->list(), {engine::TaggerUse::off, tags});
 }
 
 // What can be asked for where nobody dances: all that is of the tempo.
 void serve_beats(engine::LiveGraph& graph,
                  engine::Outputs& outputs,
                  RemoteDesk& remote,
-                 const DanceList& dances,
+                 PlayerDesk& players,
+                 const engine::AnalyzerModels& models,
                  std::optional<double> seconds) {
     engine::GraphTarget target(graph);
     engine::LiveActions live(1.0F, say);
@@ -58,9 +59,17 @@ void serve_beats(engine::LiveGraph& graph,
         for (const std::string& line : remote.carry_out(actions)) {
             say(line);
         }
+        for (const std::string& line : players.look(graph, models, outputs)) {
+            say(line);
+        }
         const MusicState& music = graph.newest_music();
+        if (const auto line = remote.follow_link(graph, music)) {
+            say(*line);
+        }
         if (remote.wants_state(now)) {
-            remote.publish(heard_state(graph, music, outputs, dances));
+            engine::RemoteState state = heard_state(graph, music, outputs, *models.dances);
+            state.song = players.song();
+            remote.publish(state);
         }
         status.rename(graph.device().name +
                       (graph.trouble().empty() ? "" : " (the device is gone)"));
@@ -70,7 +79,7 @@ void serve_beats(engine::LiveGraph& graph,
         if (seconds && to_seconds(graph.moment_at(now)) >= *seconds) {
             break;
         }
-        now += remote.is_open() ? kRemoteNap : kServerNap;
+        now += remote.is_open() || players.listens(graph) ? kRemoteNap : kServerNap;
         sleep_until(now);
         now = std::max(now, HostClock::now());
     }
@@ -79,6 +88,15 @@ void serve_beats(engine::LiveGraph& graph,
 }  // namespace
 
 ExitCode serve_beats(const LiveArguments& arguments) {
+    for (const engine::OutputWish& wish : arguments.outputs) {
+        if (wish.kind->needs_dancers) {
+            complain(
+                fmt::format("--no-avatar: nobody dances, and --{} tells how somebody does; "
+                            "leave one of them out",
+                            wish.kind->option));
+            return kExitUsage;
+        }
+    }
     engine::Settings settings = arguments.settings;
     auto outputs = engine::Outputs::open(arguments.outputs);
     if (!outputs) {
@@ -88,6 +106,10 @@ ExitCode serve_beats(const LiveArguments& arguments) {
     if (!remote) {
         return fail(remote.error());
     }
+    auto players = PlayerDesk::open(arguments.now_playing);
+    if (!players) {
+        return fail(players.error());
+    }
     const auto system = audio::AudioSystem::open(audio::audio_system_of(settings.audio_system));
     if (!system) {
         return fail(system.error());
@@ -96,7 +118,8 @@ ExitCode serve_beats(const LiveArguments& arguments) {
     if (!input) {
         return fail(input.error());
     }
-    auto models = load_ears();
+    auto models =
+        load_ears(settings.ignore_tags ? engine::FileTags::ignored : engine::FileTags::read);
     if (!models) {
         return fail(models.error());
     }
@@ -116,7 +139,7 @@ ExitCode serve_beats(const LiveArguments& arguments) {
         say(line);
     }
     (*remote)->publish(engine::RemoteChoices{});
-    serve_beats(**graph, **outputs, **remote, *config.models.dances, arguments.duration);
+    serve_beats(**graph, **outputs, **remote, *players, config.models, arguments.duration);
     for (const std::string& line : (*outputs)->losses()) {
         say(line);
     }

@@ -13,8 +13,11 @@
 #include "engine/outputs/video_sink.hpp"
 #include "engine/setup/analyzer_setup.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/avatar_clip.hpp"
 #include "engine/show/avatar_model.hpp"
+#include "engine/show/clip_course.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "motion/skeleton/formats/mmd/mmd_pose_of.hpp"
 
 /// The commands of the program `raks`, one function each. Arguments are checked for their form
 /// only; the command checks the rest and does the work. Threads: main.
@@ -47,6 +50,31 @@ struct RemoteArguments {
     std::string address = "127.0.0.1";  ///< of it: ADDRESS, PORT or ADDRESS:PORT
     bool keeps_token = false;           ///< of it: the same one the next time
     std::string osc_in = {};            ///< OSC: PORT or ADDRESS:PORT; empty: none
+    std::string midi_in = {};           ///< MIDI: a part of a port's name; empty: none
+    bool follows_link = false;          ///< beats are those of Ableton Link's session
+};
+
+/// A clip that is performed in a dance's place.
+struct MotionWish {
+    std::string file;  ///< FILE, or FILE#NAME; empty: none
+    /// None: by beats, or by the song where `offset` says, or the clip is one of a song.
+    std::optional<engine::ClipSync> sync;
+    std::optional<double> offset;     ///< seconds of the song at the clip's first pose
+    bool loops = false;               ///< begins again at its end, whatever its ends are
+    bool does_not_loop = false;       ///< is performed once
+    std::optional<double> arm_angle;  ///< AvatarClipOptions::arm_angle
+
+    /// The same, decided for the clip that it names.
+    [[nodiscard]] engine::ClipTiming timing(const engine::AvatarClip& clip) const {
+        engine::ClipTiming timing;
+        timing.sync = sync.value_or(offset || clip.is_of_one_song() ? engine::ClipSync::song
+                                                                    : engine::ClipSync::beat);
+        timing.loop = loops           ? engine::ClipLoop::always
+                      : does_not_loop ? engine::ClipLoop::never
+                                      : engine::ClipLoop::where_ends_meet;
+        timing.offset = offset.value_or(0.0);
+        return timing;
+    }
 };
 
 /// Arguments of `raks play`.
@@ -64,6 +92,9 @@ struct PlayArguments {
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
     RemoteArguments remote;                   ///< who else asks for actions
+    /// What players say of the music that is heard counts; none: with a monitor.
+    std::optional<bool> now_playing;
+    MotionWish motion;  ///< performed instead of a dance
 };
 /// Plays files and dances to them; kExitPartly when some could not be played. Errors: none can be
 /// played, no loudspeaker.
@@ -84,6 +115,9 @@ struct LiveArguments {
     std::vector<engine::OutputWish> outputs;  ///< who else is told of the music
     VideoArguments video;                     ///< who else has the pictures
     RemoteArguments remote;                   ///< who else asks for actions
+    /// What players say of the music that is heard counts; none: with a monitor.
+    std::optional<bool> now_playing;
+    MotionWish motion;  ///< performed instead of a dance
 };
 /// Dances to an input. Errors: no input, it cannot be opened.
 [[nodiscard]] ExitCode live(const LiveArguments& arguments);
@@ -180,7 +214,8 @@ struct RenderArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< empty: the demo salsa
     Path output;                ///< .mp4, .mkv, .webm, .avi, or a folder for .png
-    std::string motion;         ///< clip to perform: FILE, or FILE#NAME; empty: the dance
+    MotionWish motion;          ///< performed instead of the dance
+    Path camera_motion;         ///< a camera's VMD; empty: the settings' camera
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
     bool has_alpha = false;     ///< the film keeps what is transparent; nothing is behind the dance
@@ -253,8 +288,9 @@ struct EvalAvatarArguments {
 struct DanceArguments {
     engine::Settings settings;  ///< of the files and the options
     Path input;                 ///< the music file
-    Path output;              ///< x.bvh, x.vrma or x.glb; of several dancers x_1.bvh, x_2.bvh, ...
-    double fps = 60.0;        ///< [1, 240]
+    Path output;                ///< x.bvh, x.vrma, x.vmd or x.glb; of several dancers x_1.bvh, ...
+    motion::MmdLegs legs = motion::MmdLegs::ik;  ///< of x.vmd
+    double fps = 60.0;                           ///< [1, 240]
     bool is_as_live = false;  ///< the music is analyzed as it comes, as an input is
 };
 /// Writes the dance to a file as motion. Errors: those of the files and of the dance.
@@ -301,8 +337,9 @@ struct SheetArguments {
     engine::Settings settings;  ///< of the files and the options
     Path output;                ///< .png: a sheet; else a film
     std::string motion;         ///< clip in a dance's place: FILE, or FILE#NAME; empty: none
-    std::string figure;         ///< of the dance; empty: its first
-    double bpm = 180.0;         ///< [50, 230]
+    std::optional<double> arm_angle{};  ///< as of `raks render`
+    std::string figure;                 ///< of the dance; empty: its first
+    double bpm = 180.0;                 ///< [50, 230]
 };
 /// Draws a figure from the front and the side: every 1/8 beat of 8 beats on a sheet, or a film of
 /// 16 beats.

@@ -22,6 +22,7 @@
 #include "engine/show/given_away.hpp"
 #include "engine/show/picture.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/mmd/vmd_writer.hpp"
 #include "motion/skeleton/formats/vrma.hpp"
 #include "render/export/glb_writer.hpp"
 
@@ -55,19 +56,31 @@ class CollectDance final : public engine::OfflineDriver::Sink {
 };
 
 bool is_motion_alone(const Path& output) {
-    return output.extension() == ".bvh" || output.extension() == ".vrma";
+    return output.extension() == ".bvh" || output.extension() == ".vrma" ||
+           output.extension() == ".vmd";
 }
 
 // Writes one dancer's dance as motion alone.
 Expected<void> write_motion(const Path& path,
                             const motion::Skeleton& skeleton,
                             const Danced& danced,
-                            double fps) {
+                            const DanceArguments& arguments) {
     if (path.extension() == ".bvh") {
-        return motion::write_bvh(path, skeleton, danced.poses, fps);
+        return motion::write_bvh(path, skeleton, danced.poses, arguments.fps);
     }
-    return motion::write_vrma(
-        path, skeleton, danced.poses, fps, engine::expression_tracks(danced.faces));
+    const auto face = engine::expression_tracks(danced.faces);
+    if (path.extension() == ".vrma") {
+        return motion::write_vrma(path, skeleton, danced.poses, arguments.fps, face);
+    }
+    const auto note = motion::write_vmd(
+        path, skeleton, danced.poses, arguments.fps, face, {.legs = arguments.legs});
+    if (!note) {
+        return fail(note.error());
+    }
+    if (!note->empty()) {
+        say(*note);
+    }
+    return {};
 }
 
 bool is_with_avatar(const Path& output) { return output.extension() == ".glb"; }
@@ -203,7 +216,7 @@ ExitCode dance(const DanceArguments& given) {
     const bool is_alone = is_motion_alone(arguments.output);
     if (!is_alone && !is_with_avatar(arguments.output)) {
         return fail(arguments.output.string() +
-                    ": cannot write this kind of motion; known: .bvh, .vrma, .glb");
+                    ": cannot write this kind of motion; known: .bvh, .vrma, .vmd, .glb");
     }
     auto avatars = avatar_files(arguments);
     if (!avatars) {
@@ -261,7 +274,7 @@ ExitCode dance(const DanceArguments& given) {
         const Path path = is_stopped ? stopped_name(whole) : whole;
         files.push_back(path);
         const auto written =
-            is_alone ? write_motion(path, setup->skeleton, collect.of(i), arguments.fps)
+            is_alone ? write_motion(path, setup->skeleton, collect.of(i), arguments)
                      : write_model(path, (*models)[i % models->size()], collect.of(i), arguments);
         if (!written) {
             return fail(written.error());

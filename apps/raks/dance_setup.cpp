@@ -39,6 +39,7 @@ engine::AvatarOptions avatar_options(const engine::Settings& settings) {
         options.height = static_cast<float>(settings.avatar_height);
     }
     options.labels = settings.avatar_labels;
+    options.most_image_bytes = static_cast<std::size_t>(settings.avatar_pictures_mb) << 20U;
     return options;
 }
 
@@ -46,7 +47,7 @@ Expected<void> check_labels(const fs::path& labels) {
     if (labels.empty()) {
         return {};
     }
-    const auto read = engine::load_labels(labels);
+    const auto read = render::load_labels(labels);
     return read ? Expected<void>() : fail(read.error());
 }
 
@@ -92,13 +93,13 @@ double said_film_fps(const engine::Settings& settings) {
 }
 
 Expected<engine::AvatarClip> open_clip(const std::string& motion,
-                                       const engine::Settings& settings) {
-    auto clip = engine::AvatarClip::load(
-        motion,
-        motion::mannequin_skeleton().offsets[0],
-        {engine::find_avatar(settings.avatars.front()).value_or(fs::path()),
-         settings.avatar_labels,
-         {}});
+                                       const engine::Settings& settings,
+                                       std::optional<double> arm_angle) {
+    engine::AvatarClipOptions options;
+    options.avatar = engine::find_avatar(settings.avatars.front()).value_or(fs::path());
+    options.labels = settings.avatar_labels;
+    options.arm_angle = arm_angle;
+    auto clip = engine::AvatarClip::load(motion, motion::mannequin_skeleton().offsets[0], options);
     if (clip) {
         for (const std::string& warning : clip->warnings()) {
             say_detail(warning);
@@ -117,6 +118,7 @@ Expected<engine::Look> open_look(const engine::Settings& settings) {
     }
     engine::AvatarOptions options = avatar_options(settings);
     options.costume = look->costume;
+    look->most_image_bytes = options.most_image_bytes;
     if (settings.avatars.size() > 1 && !options.labels.empty()) {
         return fail(
             "--labels says which nodes are the bones of one avatar, and there are several: save "

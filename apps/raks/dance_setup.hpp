@@ -32,7 +32,7 @@ struct DanceSetup {
 [[nodiscard]] engine::AvatarOptions avatar_options(const engine::Settings& settings);
 
 /// Whether a label file that a person names can be read; an empty path can. Errors: those of
-/// engine::load_labels.
+/// render::load_labels.
 [[nodiscard]] Expected<void> check_labels(const std::filesystem::path& labels);
 
 /// Whether there are the avatars and the label file that the settings name: before any work, for
@@ -51,9 +51,10 @@ void replace_missing_avatars(engine::Settings& settings);
 
 /// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
 /// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of
-/// engine::AvatarClip::load.
+/// engine::AvatarClip::load. `arm_angle`: of a VMD (motion::MotionReadOptions).
 [[nodiscard]] Expected<engine::AvatarClip> open_clip(const std::string& motion,
-                                                     const engine::Settings& settings);
+                                                     const engine::Settings& settings,
+                                                     std::optional<double> arm_angle = {});
 
 /// The look that the settings ask for, with its avatar; says whose work that is, and what its file
 /// lacks. Errors: those of engine::read_look and engine::load_avatar.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -22,7 +23,7 @@ namespace {
 using engine::Settings;
 
 constexpr const char* kMotionHelp =
-    "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...";
+    "clip to perform instead of a dance: X.vrma, X.glb, X.glb#NAME of several, X.bvh, X.vmd, ...";
 
 // Several times, each with one value: what stands behind that is another argument. (The parser
 // holds to that where nearly any number is allowed.)
@@ -151,6 +152,10 @@ void add_remote_options(CLI::App& app, RemoteArguments& remote) {
             const auto checked = engine::check_osc_input(place);
             return checked ? std::string() : checked.error().message;
         });
+    app.add_option("--midi-in", remote.midi_in, "a MIDI controller whose name holds NAME asks")
+        ->type_name("NAME")
+        ->check([](const std::string& name) { return name.empty() ? "it is empty" : ""; });
+    app.add_flag("--link", remote.follows_link, "beats are those of Ableton Link's session");
     auto* const server =
         app.add_flag("--remote", remote.has_server, "HTTP and a page for phones ask for actions");
     app.add_option("--remote-address", remote.address, "where it listens: ADDRESS, ADDRESS:PORT")
@@ -169,6 +174,14 @@ void add_remote_options(CLI::App& app, RemoteArguments& remote) {
         ->check(one_of({"new", "keep"}));
 }
 
+// A function, since neither yes nor no is a third value.
+void add_player_option(CLI::App& app, std::optional<bool>& now_playing) {
+    app.add_flag_function(
+        "--now-playing,!--no-now-playing",
+        [&now_playing](std::int64_t count) { now_playing = count > 0; },
+        "players on this computer say what they play; on with a monitor");
+}
+
 void add_window_options(CLI::App& app, WindowWish& window) {
     app.add_flag("--fullscreen", window.is_fullscreen, "fill the screen");
     app.add_flag("--borderless", window.is_borderless, "a window without title and frame");
@@ -185,6 +198,31 @@ void add_section_options(CLI::App& app, Section& section) {
            [&section](const double& seconds) { section.duration = seconds; },
            "seconds; to the end when not given")
         ->check(in_range(kShortestSeconds, kLongestSeconds));
+}
+
+// A clip instead of a dance, and when it is performed.
+void add_motion_options(CLI::App& app, MotionWish& motion) {
+    auto* const clip = app.add_option("--motion", motion.file, kMotionHelp);
+    app.add_option_function<std::string>(
+           "--sync",
+           [&motion](const std::string& word) {
+               motion.sync = word == "song" ? engine::ClipSync::song : engine::ClipSync::beat;
+           },
+           "the clip goes by the song that it was made for, or by any music's beat: song or beat")
+        ->check(one_of({engine::kClipSyncNames.begin(), engine::kClipSyncNames.end()}))
+        ->needs(clip);
+    app.add_option_function<double>(
+           "--offset",
+           [&motion](const double& seconds) { motion.offset = seconds; },
+           "seconds of the song at the clip's first pose")
+        ->check(in_range(-kLongestSeconds, kLongestSeconds))
+        ->needs(clip);
+    auto* const loop =
+        app.add_flag("--loop", motion.loops, "the clip begins again at its end")->needs(clip);
+    app.add_flag("--no-loop", motion.does_not_loop, "the clip is performed once")
+        ->needs(clip)
+        ->excludes(loop);
+    add_arm_angle_option(app, motion.arm_angle)->needs(clip);
 }
 
 // Each add_ function below adds one command with its options.
@@ -206,11 +244,13 @@ void add_play(RaksCommands& table) {
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
     add_window_options(*app, a->window);
+    add_motion_options(*app, a->motion);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
     add_remote_options(*app, a->remote);
+    add_player_option(*app, a->now_playing);
     add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
@@ -233,6 +273,7 @@ void add_open(RaksCommands& table) {
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
     add_remote_options(*app, a->remote);
+    add_player_option(*app, a->now_playing);
     add_video_options(*app, a->video, a->outputs, a->settings);
 }
 
@@ -251,11 +292,15 @@ void add_live(RaksCommands& table) {
     auto* const bare = app->add_flag(
         "--no-avatar", a->has_no_avatar, "nobody dances: no window, only beats for other programs");
     add_window_options(*app, a->window);
+    add_motion_options(*app, a->motion);
     add_setting_options(*app, a->settings, engine::kLive);
     add_output_options(*app, a->outputs);
     add_remote_options(*app, a->remote);
+    add_player_option(*app, a->now_playing);
     add_video_options(*app, a->video, a->outputs, a->settings);
-    bare->excludes(app->get_option("--video-out"))->excludes(app->get_option("--record"));
+    for (const char* const option : {"--video-out", "--record", "--motion"}) {
+        bare->excludes(app->get_option(option));
+    }
 }
 
 void add_render(RaksCommands& table) {
@@ -269,7 +314,9 @@ void add_render(RaksCommands& table) {
         app->add_flag("--alpha",
                       a->has_alpha,
                       "nothing behind the dance, and the film keeps it: X.mov, X.webm or a folder");
-    app->add_option("--motion", a->motion, kMotionHelp);
+    add_motion_options(*app, a->motion);
+    app->add_option("--camera-motion", a->camera_motion, "X.vmd that moves the camera")
+        ->type_name("FILE");
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     // A window's overlay is a setting, a film has it only when asked for.
@@ -290,8 +337,15 @@ void add_dance(RaksCommands& table) {
     app->add_option("file", a->input, "music file")->required();
     app->add_option("-o,--out",
                     a->output,
-                    "X.bvh, X.vrma, X.glb with the avatar; of several dancers X_1.bvh, ...")
+                    "X.bvh, X.vrma, X.vmd, X.glb with the avatar; of several dancers X_1.bvh, ...")
         ->required();
+    app->add_option_function<std::string>(
+           "--legs",
+           [arguments = a](const std::string& word) {
+               arguments->legs = word == "fk" ? motion::MmdLegs::fk : motion::MmdLegs::ik;
+           },
+           "of X.vmd: ik, goals for the feet (the usual way), or fk, turns alone")
+        ->check(one_of({"ik", "fk"}));
     app->add_option("--fps", a->fps, "poses a second")->check(in_range(1.0, 240.0));
     add_as_live_option(*app, a->is_as_live);
     // Who dances stands before what is danced.
@@ -318,6 +372,7 @@ void add_sheet(RaksCommands& table) {
     app->add_option("-o,--out", a->output, "X.png; a film: X.mp4, X.mkv, X.webm, X.avi, a folder")
         ->required();
     auto* const motion = app->add_option("--motion", a->motion, kMotionHelp);
+    add_arm_angle_option(*app, a->arm_angle)->needs(motion);
     app->add_option("--dance", a->settings.dance, "name, folder or written dance (X.toml)")
         ->excludes(motion);
     app->add_option("--figure", a->figure, "figure of the dance, such as basic; none: its first")

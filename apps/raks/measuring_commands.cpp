@@ -121,7 +121,7 @@ void add_xbody(RaksCommands& table) {
     app->add_option("--view", a->view, "front, side, back or top")
         ->check(one_of({"front", "side", "back", "top"}));
     app->add_option("--size", a->size, "size of the window or picture, such as 1280x720");
-    app->add_flag("--names", a->has_names, "names beside the bones");
+    app->add_flag("--names", a->has_names, "names of the bones that a figure needs, beside them");
     auto* const output = app->add_option(
         "-o,--out",
         a->output,

@@ -18,6 +18,8 @@ ExitCode live(const LiveArguments& arguments) {
     shared.outputs = arguments.outputs;
     shared.video = arguments.video;
     shared.remote = arguments.remote;
+    shared.now_playing = arguments.now_playing;
+    shared.motion = arguments.motion;
     return ShowSession(shared, arguments.duration).live();
 }
 

@@ -9,6 +9,8 @@
 #include "engine/remote/remote_guard.hpp"
 #include "engine/setup/user_folders.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::apps {
 namespace {
 
@@ -52,6 +54,20 @@ Expected<std::unique_ptr<RemoteDesk>> RemoteDesk::open(const RemoteArguments& ar
         desk->osc_ = std::move(*osc);
         desk->lines_.push_back("OSC is heard at " + desk->osc_->place() + ": /raks/do/ACTION");
     }
+    if (!arguments.midi_in.empty()) {
+        auto midi = engine::MidiInput::open(arguments.midi_in);
+        if (!midi) {
+            return fail(midi.error());
+        }
+        desk->midi_ = std::move(*midi);
+    }
+    if (arguments.follows_link) {
+        auto link = engine::LinkSession::open();
+        if (!link) {
+            return fail(link.error());
+        }
+        desk->link_ = std::move(*link);
+    }
     if (arguments.has_server) {
         if (auto opened = desk->open_server(arguments); !opened) {
             return fail(opened.error());
@@ -88,12 +104,70 @@ std::vector<std::string> RemoteDesk::carry_out(const engine::ActionDispatcher& a
     if (auto fault = inbox_.carry_out(actions)) {
         lines.push_back(std::move(*fault));
     }
+    if (midi_) {
+        carry_out_midi(actions, lines);
+    }
     if (osc_) {
         if (auto trouble = osc_->take_trouble()) {
             lines.push_back("--osc-in: " + *trouble + " (more like it are passed over in silence)");
         }
     }
     return lines;
+}
+
+// What one control asks for and cannot be done is said once in a row.
+void RemoteDesk::carry_out_midi(const engine::ActionDispatcher& actions,
+                                std::vector<std::string>& lines) {
+    for (const engine::ActionRequest& request : midi_->take()) {
+        const auto done = actions.dispatch(request);
+        std::string fault = done ? std::string() : done.error().message;
+        if (!fault.empty() && fault != midi_fault_) {
+            lines.push_back(fault);
+        }
+        midi_fault_ = std::move(fault);
+    }
+    for (std::string& line : midi_->take_lines()) {
+        lines.push_back(std::move(line));
+    }
+}
+
+std::optional<std::string> RemoteDesk::follow_link(engine::LiveGraph& graph,
+                                                   const MusicState& music) {
+    if (!link_) {
+        return std::nullopt;
+    }
+    const HostTime now = HostClock::now();
+    const BeatGrid& grid = music.grid;
+    const double bpm = link_->at(now, 1.0).bpm;
+    const auto session = link_->at(now, engine::LinkFollower::session_bar(bpm, grid.beats_per_bar));
+    // What is seen may be ahead of what is heard; commands are dated by what is seen.
+    const auto heard_at = [&](HostTime seen) { return graph.heard_at(graph.moment_at(seen)); };
+    const Nanos lead = heard_at(now) - now;
+    const auto orders = link_follower_.follow({.now = now,
+                                               .peers = session.peers,
+                                               .bpm = session.bpm,
+                                               .beat = session.beat,
+                                               .grid = grid,
+                                               .heard = grid.beats_at(graph.moment_at(now - lead)),
+                                               .is_held = music.is_tempo_held});
+    for (const engine::LinkFollower::Order& order : orders) {
+        static_cast<void>(graph.command(order.kind, order.value, order.heard_at - lead));
+    }
+    link_words_ = fmt::format("--link   {} {}, {:.1f} BPM",
+                              session.peers,
+                              session.peers == 1 ? "other" : "others",
+                              session.bpm);
+    if (std::exchange(link_peers_, session.peers) == session.peers) {
+        return std::nullopt;
+    }
+    return session.peers > 0 ? link_words_ : "--link: nobody else is there; the music leads";
+}
+
+void RemoteDesk::publish(engine::RemoteState state) {
+    if (!link_words_.empty()) {
+        state.targets.push_back({link_words_, 0, 0, {}});
+    }
+    server_->publish(state);
 }
 
 // Whoever is there has no more use for it, and it opens the door.

@@ -18,6 +18,7 @@
 #include "engine/offline/music_source.hpp"
 #include "engine/offline/offline_driver.hpp"
 #include "engine/setup/told_genre.hpp"
+#include "engine/show/clip_performer.hpp"
 #include "engine/show/show.hpp"
 #include "render/avatar/avatar.hpp"
 #include "render/gl/offscreen.hpp"
@@ -327,30 +328,32 @@ ExitCode film_clip(const RenderArguments& arguments,
     return exit_code_of(finish(**writer, nanos_from_seconds(done)));
 }
 
-// The avatar performs a clip: once in silence, or over and over to music.
+// The avatar performs a clip: once in silence, or to music as `play` does.
 ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
-    auto opened = open_clip(arguments.motion, arguments.settings);
+    auto opened = open_clip(arguments.motion.file, arguments.settings, arguments.motion.arm_angle);
     if (!opened) {
         return fail(opened.error());
     }
-    const auto clip = std::make_shared<const engine::AvatarClip>(std::move(*opened));
-    const double length = clip->duration();
+    const double start = arguments.section.start;
     if (arguments.input.empty()) {
-        const double start = arguments.section.start;
+        const auto clip = std::make_shared<const engine::AvatarClip>(std::move(*opened));
+        const double length = clip->duration();
         if (!(length > start)) {
-            return fail(fmt::format("{}: the clip ends at {:.3f} s", arguments.motion, length));
+            return fail(
+                fmt::format("{}: the clip ends at {:.3f} s", arguments.motion.file, length));
         }
         const double seconds =
             std::min(arguments.section.duration.value_or(length), length - start);
         return film_clip(
             arguments,
             look,
-            engine::ClipDriver([clip, start](double time) { return clip->pose_at(start + time); }),
+            engine::ClipDriver([clip, start](const MusicState& state) {
+                return clip->pose_at(start + to_seconds(state.time));
+            }),
             [clip, start](double time) { return clip->face_at(start + time); },
             seconds);
     }
-    auto source = engine::MusicSource::open(
-        arguments.input, arguments.section.start, arguments.section.duration);
+    auto source = engine::MusicSource::open(arguments.input, start, arguments.section.duration);
     if (!source) {
         return fail(source.error());
     }
@@ -358,18 +361,19 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
     if (!setup) {
         return fail(setup.error());
     }
-    const auto in_clip = [length](double time) {
-        return length > 0.0 ? std::fmod(time, length) : 0.0;
-    };
+    const engine::ClipTiming timing = arguments.motion.timing(*opened);
+    const auto performer = std::make_shared<engine::ClipPerformer>(std::move(*opened), timing);
+    performer->set_song_start(start);
+    say_detail(performer->description());
     auto driver = engine::ClipDriver::create(
         source->rate(),
         engine::told(setup->models, source->tags(), arguments.input),
-        [clip, in_clip](double time) { return clip->pose_at(in_clip(time)); });
+        [performer](const MusicState& state) { return performer->next(state.time, state); });
     if (!driver) {
         return fail(driver.error());
     }
-    return film_music(arguments, look, *source, *driver, *setup, [clip, in_clip](double time) {
-        return clip->face_at(in_clip(time));
+    return film_music(arguments, look, *source, *driver, *setup, [performer](double /*time*/) {
+        return performer->face();
     });
 }
 
@@ -385,9 +389,16 @@ ExitCode render(const RenderArguments& given) {
     if (arguments.has_alpha) {
         arguments.settings.backdrop = "transparent";
     }
-    const auto look = open_look(arguments.settings);
+    auto look = open_look(arguments.settings);
     if (!look) {
         return fail(look.error());
+    }
+    if (!arguments.camera_motion.empty()) {
+        auto camera = engine::CameraMotion::load(arguments.camera_motion);
+        if (!camera) {
+            return fail(camera.error());
+        }
+        look->camera_motion = std::make_shared<const engine::CameraMotion>(std::move(*camera));
     }
     // What shows nothing behind the dance keeps that, wherever the film can.
     if (look->scene.backdrop == render::Backdrop::transparent && !arguments.has_alpha) {
@@ -399,8 +410,10 @@ ExitCode render(const RenderArguments& given) {
     }
     // What cannot be written is said before anything is loaded. A film over its own music would
     // destroy it.
-    if (auto checked = check_is_no_input(
-            arguments.output, {arguments.input, engine::AvatarClip::file_of(arguments.motion)});
+    if (auto checked = check_is_no_input(arguments.output,
+                                         {arguments.input,
+                                          engine::AvatarClip::file_of(arguments.motion.file),
+                                          arguments.camera_motion});
         !checked) {
         return fail(std::move(checked.error()));
     }
@@ -409,7 +422,7 @@ ExitCode render(const RenderArguments& given) {
         !checked) {
         return fail(checked.error());
     }
-    if (!arguments.motion.empty()) {
+    if (!arguments.motion.file.empty()) {
         return render_clip(arguments, *look);
     }
     // Without a file, the demo.

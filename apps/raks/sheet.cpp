@@ -64,7 +64,7 @@ std::vector<double> film_times(double duration, double fps) {
 
 // A sheet or a film of a clip. Sheets have its poses at even times.
 ExitCode draw_clip(const SheetArguments& arguments, const engine::Look& look) {
-    const auto clip = open_clip(arguments.motion, arguments.settings);
+    const auto clip = open_clip(arguments.motion, arguments.settings, arguments.arm_angle);
     if (!clip) {
         return fail(clip.error());
     }

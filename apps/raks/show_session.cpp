@@ -181,7 +181,9 @@ StageLoop::Options ShowSession::stage_options() const {
             arguments_.outputs,
             arguments_.video,
             arguments_.remote,
-            kept_};
+            arguments_.now_playing,
+            kept_,
+            arguments_.motion};
 }
 
 // Where a window opens, what it was before counts, and what the desktop asks for.
@@ -294,7 +296,10 @@ Expected<bool> ShowSession::listen() {
     }
     has_played_ = true;
     loop_->say("listening to " + input_->reason);
-    const StageEnd end = loop_->run(**graph, {});
+    StageSource source;
+    source.teller = "as the player says";
+    source.models = &setup_->models;
+    const StageEnd end = loop_->run(**graph, source);
     has_failed_ = (*graph)->has_lost_device();
     if (end == StageEnd::wish) {
         return true;

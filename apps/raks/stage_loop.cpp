@@ -105,9 +105,17 @@ Expected<std::unique_ptr<StageLoop>> StageLoop::create(const engine::Settings& s
     if (!remote) {
         return fail(remote.error());
     }
+    auto players = PlayerDesk::open(options.now_playing);
+    if (!players) {
+        return fail(players.error());
+    }
     std::unique_ptr<StageLoop> loop(new StageLoop(settings, options, setup));
     loop->outputs_ = std::move(*outputs);
     loop->remote_ = std::move(*remote);
+    loop->players_ = std::move(*players);
+    if (auto done = loop->perform_wished(); !done) {
+        return fail(done.error());
+    }
     if (auto done = loop->open_pictures(std::move(opened)); !done) {
         return fail(done.error());
     }
@@ -169,6 +177,11 @@ Expected<void> StageLoop::open_studio() {
     }
     engine::dress_for(*dances_, settings_.dance, *look);
     formations_->ask_for_bodies(engine::dance_bodies_of(look->avatars));
+    engine::OutputLook worn{.avatars = {}, .face = look->face};
+    for (const engine::LoadedAvatar& avatar : look->avatars) {
+        worn.avatars.push_back(avatar.avatar);
+    }
+    outputs_->wear(worn);
     if (!video_ && !recording_.is_on()) {
         return {};
     }
@@ -180,11 +193,12 @@ Expected<void> StageLoop::open_studio() {
     if (!drawing) {
         return fail(drawing.error());
     }
-    studio_.emplace(Studio{std::move(*context),
-                           std::move(*drawing),
-                           look->scene,
-                           look->camera,
-                           engine::AvatarChange(look->avatars, look->costume)});
+    studio_.emplace(
+        Studio{std::move(*context),
+               std::move(*drawing),
+               look->scene,
+               look->camera,
+               engine::AvatarChange(look->avatars, look->costume, look->most_image_bytes)});
     if (look->partners == engine::Partners::first) {
         studio_->avatar_change.add_partners();
     }
@@ -280,6 +294,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     wish_.reset();
     told_dance_ = DanceId::none;
     silent_since_.reset();
+    players_->begin_anew();
     staging_.begin_anew();
     if (performance_) {
         performance_->begin_anew();
@@ -364,6 +379,7 @@ void StageLoop::draw_headless() {
         }
         const render::Camera preset = framed(
             engine::camera_for(engine::preset_of(studio_->camera), studio_->drawing.bodies.size()));
+        tell_look(studio_->drawing.bodies);
         draw_elsewhere({studio_->drawing, studio_->scene, {studio_->camera, preset}});
     }
 }
@@ -436,6 +452,11 @@ void StageLoop::advance(double /*seconds*/) {
     for (const std::string& line : outputs_->take_lines()) {
         say(line);
     }
+    if (source_.models != nullptr) {
+        for (const std::string& line : players_->look(*graph_, *source_.models, *outputs_)) {
+            say(line);
+        }
+    }
     if (video_) {
         for (const std::string& line : video_->take_lines()) {
             say(line);
@@ -445,6 +466,7 @@ void StageLoop::advance(double /*seconds*/) {
         say(*trouble);
     }
     take_loaded();
+    follow_song();
     serve_remote();
     if (source_.each_picture) {
         source_.each_picture();
@@ -527,10 +549,23 @@ void StageLoop::say_told_dance() {
     }
 }
 
+// Who is told of poses wears what is seen.
+void StageLoop::tell_look(const engine::DancerBodies& bodies) {
+    if (!outputs_->want_poses()) {
+        return;
+    }
+    engine::OutputLook look{.avatars = {}, .face = bodies.habits()};
+    for (const engine::DancerBodies::Builds& builds : bodies.wardrobe()) {
+        look.avatars.push_back(builds.front().avatar);
+    }
+    outputs_->wear(look);
+}
+
 // One stage and one moment for all dancers: they must not be drawn at different times.
 void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState& overlay) {
     // Whoever is seen: an avatar may have been taken over meanwhile.
     formations_->ask_for_bodies(picture.bodies.dance_bodies());
+    tell_look(picture.bodies);
     const engine::StageState& stage = graph_->stage();
     const StreamTime moment = graph_->moment_at(picture.seen_at);
     const engine::ShownMoment danced = shown_moment(stage, moment);
@@ -574,6 +609,7 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.latency_ms = to_seconds(graph_->heard_after()) * 1e3;
         // With an input the latency is that of the analysis: nothing is played.
     } else {
+        describe_song(overlay);
         describe_silence(stage, overlay);
         overlay.latency_ms = to_seconds(graph_->analysis().taken_until() - stage.music.time) * 1e3;
     }
@@ -597,7 +633,17 @@ void StageLoop::describe_targets(render::OverlayState& overlay) {
             lost_before_[i] = all[i].dropped;
         }
     }
+    if (!remote_->link_words().empty()) {
+        targets_.resize(lost_before_.size());
+        targets_.push_back({remote_->link_words(), false});
+    }
     overlay.targets = targets_;
+}
+
+void StageLoop::describe_song(render::OverlayState& overlay) {
+    playing_ = players_->title();
+    overlay.song = playing_;
+    overlay.is_paused = !playing_.empty() && players_->is_paused();
 }
 
 // Who hears nothing wants to know what is listened to.

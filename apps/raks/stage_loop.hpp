@@ -15,6 +15,7 @@
 #include "apps/raks/dance_setup.hpp"
 #include "apps/raks/kept_window.hpp"
 #include "apps/raks/play_queue.hpp"
+#include "apps/raks/player_desk.hpp"
 #include "apps/raks/preset_choice.hpp"
 #include "apps/raks/remote_desk.hpp"
 #include "apps/raks/show_recording.hpp"
@@ -67,6 +68,8 @@ struct StageSource {
     PlayQueue* queue = nullptr;                     ///< the files that play; null: it is no file
     /// Who says which dance it is where that is not heard: "as the file says".
     std::string_view teller = "as the file says";
+    /// What the graph's analysis knows; null: no player is asked what it plays.
+    const engine::AnalyzerModels* models = nullptr;
     /// Keeps a dance for what is playing and returns the line that says so, or why not; empty: it
     /// is no file. The dance is empty where none was chosen by hand.
     std::function<std::string(std::string_view dance)> keep_dance = {};
@@ -85,7 +88,9 @@ class StageLoop final : private engine::WindowContent {
         std::vector<engine::OutputWish> outputs = {};  ///< who is told of the music
         VideoArguments video = {};                     ///< who has the pictures, too
         RemoteArguments remote = {};                   ///< who else asks for actions
+        std::optional<bool> now_playing = {};          ///< PlayerDesk::open()
         KeptWindow kept = {};                          ///< where the window was before
+        MotionWish motion = {};                        ///< performed from the start
     };
     /// A window that shows the stage while something is loaded, and the look that it has.
     struct OpenedWindow {
@@ -146,10 +151,12 @@ class StageLoop final : private engine::WindowContent {
     void draw(const engine::WindowPicture& picture, render::OverlayState& overlay) override;
     void use(render::OverlayControl control, double share) override;
     bool take_dropped(const std::vector<std::string>& paths) override;
+    bool take_refused(const Error& why) override;
     [[nodiscard]] bool is_finished() const override;
     [[nodiscard]] bool has_director() const override { return true; }
     [[nodiscard]] render::Camera framed(render::Camera preset) const override;
     void say_told_dance();
+    void tell_look(const engine::DancerBodies& bodies);
 
     // Actions (stage_actions.cpp), lists and what is dropped (stage_requests.cpp).
     void bind(engine::ActionDispatcher& actions);
@@ -158,6 +165,7 @@ class StageLoop final : private engine::WindowContent {
     void bind_playing(engine::ActionDispatcher& actions);
     void bind_choices(engine::ActionDispatcher& actions);
     void bind_presets(engine::ActionDispatcher& actions);
+    void learn_midi();
     void bind_calm(engine::ActionDispatcher& actions);
     void serve_remote();
     [[nodiscard]] engine::RemoteState state_for_remote();
@@ -172,6 +180,8 @@ class StageLoop final : private engine::WindowContent {
     void play_dropped(const std::vector<Path>& files);
     void learn_dropped(const Path& place);
     void load_clip(const Path& file);
+    [[nodiscard]] Expected<void> perform_wished();
+    void follow_song();
     void take_loaded();
     void stop_performing();
     [[nodiscard]] const std::string& source_name() const;
@@ -183,6 +193,7 @@ class StageLoop final : private engine::WindowContent {
     void change_clothes(const engine::ShownMoment& shown);
     void describe(const engine::StageState& stage, render::OverlayState& overlay);
     void describe_targets(render::OverlayState& overlay);
+    void describe_song(render::OverlayState& overlay);
     void describe_silence(const engine::StageState& stage, render::OverlayState& overlay);
     [[nodiscard]] DanceChoice::Dancers dancers();
     void keep_dance();
@@ -212,6 +223,7 @@ class StageLoop final : private engine::WindowContent {
         engine::AvatarChange avatar_change;
     };
     std::optional<Studio> studio_;
+    std::unique_ptr<RemoteDesk> remote_;  // what is open in the window may refer to it
     std::optional<engine::WindowLoop> window_;
     std::unique_ptr<VideoShow> video_;           // needs the context of one of both
     ShowRecording recording_;                    // likewise
@@ -220,7 +232,8 @@ class StageLoop final : private engine::WindowContent {
     engine::Staging staging_;
     bool is_calm_;
     engine::LiveActions live_actions_;
-    std::unique_ptr<RemoteDesk> remote_;
+    std::optional<PlayerDesk> players_;
+    std::string playing_;  // what players say, as shown
     std::unique_ptr<engine::Outputs> outputs_;
     std::vector<render::OverlayTarget> targets_;  // of outputs_, as shown
     std::vector<std::uint64_t> lost_before_;      // by each of them, as last asked
@@ -234,6 +247,7 @@ class StageLoop final : private engine::WindowContent {
     DanceId told_dance_ = DanceId::none;  // by the file, as last said
     std::string last_figure_;
     // Dropped, and on its way.
+    std::optional<Path> dropped_model_;  // one alone, the last
     std::future<Expected<LoadedDance>> learning_;
     std::future<Expected<std::unique_ptr<engine::ClipPerformance>>> clip_loading_;
     std::unique_ptr<engine::ClipPerformance> performance_;  // in the dance's place; or null

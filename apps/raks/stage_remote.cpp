@@ -26,6 +26,9 @@ void StageLoop::serve_remote() {
     for (const std::string& line : remote_->carry_out(*actions_)) {
         say(line);
     }
+    if (const auto line = remote_->follow_link(*graph_, graph_->stage().music)) {
+        say(*line);
+    }
     if (remote_->wants_state(HostClock::now())) {
         remote_->publish(state_for_remote());
     }
@@ -36,6 +39,7 @@ engine::RemoteState StageLoop::state_for_remote() {
     engine::RemoteState state = heard_state(*graph_, stage.music, *outputs_, *dances_);
     const motion::DancerStatus& dancer = stage.dancer;
     state.source = printable(source_name());
+    state.song = players_->song();
     if (dancer.is_dancing) {
         state.dance = dances_->name_of(dancer.dance);
         state.figure =

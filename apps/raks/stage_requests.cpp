@@ -3,7 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "apps/raks/midi_choice.hpp"
 #include "apps/raks/stage_loop.hpp"
+#include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
 #include "engine/show/stage_drop.hpp"
 #include "engine/show/themes.hpp"
@@ -20,6 +22,17 @@ constexpr std::string_view kDances = "dances";  // the list's name
 template <typename Value>
 bool is_ready(const std::future<Value>& future) {
     return future.valid() && future.wait_for(Nanos(0)) == std::future_status::ready;
+}
+
+Expected<std::unique_ptr<engine::ClipPerformance>> performance_of(
+    const MotionWish& wish, const std::string& name, const engine::Settings& settings) {
+    auto opened = open_clip(wish.file, settings, wish.arm_angle);
+    if (!opened) {
+        return fail(opened.error());
+    }
+    const engine::ClipTiming timing = wish.timing(*opened);
+    return std::make_unique<engine::ClipPerformance>(
+        engine::ClipPerformer(std::move(*opened), timing), name);
 }
 
 }  // namespace
@@ -73,6 +86,7 @@ void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
         return;
     }
     bind_presets(actions);
+    actions.on(Action::learn_midi, [this](double) { learn_midi(); });
     actions.on(Action::choose_source, [this](double) {
         window_->toggle_list(SourceChoice::kName, 0, [this] { return sources_.offer(); });
     });
@@ -83,6 +97,17 @@ void StageLoop::bind_choices(engine::ActionDispatcher& actions) {
     actions.on(Action::choose_dance, [this](double) {
         stop_performing();
         window_->toggle_list(kDances, 0, [this] { return choice_.offer(); });
+    });
+}
+
+void StageLoop::learn_midi() {
+    engine::MidiInput* const midi = remote_->midi();
+    if (midi == nullptr) {
+        say("no MIDI controller is listened to: start with --midi-in NAME");
+        return;
+    }
+    window_->toggle_list(kMidiList, 0, [this, midi] {
+        return offer_midi(*midi, [this](Action action) { return actions_->handles(action); });
     });
 }
 
@@ -244,6 +269,8 @@ bool StageLoop::take_dropped(const std::vector<std::string>& paths) {
     for (const std::string& line : files.lines) {
         say(line);
     }
+    dropped_model_ =
+        files.models.size() == 1 ? std::optional<Path>(files.models.front()) : std::nullopt;
     if (!files.models.empty()) {
         window_->wear(std::move(files.models));
     }
@@ -257,6 +284,16 @@ bool StageLoop::take_dropped(const std::vector<std::string>& paths) {
         play_dropped(files.music);
     }
     return true;
+}
+
+// A file of a model's form may hold motion alone, as those of stores of motion do.
+bool StageLoop::take_refused(const Error& why) {
+    const bool is_motion = dropped_model_ && why.message.ends_with(engine::kMotionAlone);
+    if (is_motion) {
+        load_clip(*dropped_model_);
+    }
+    dropped_model_.reset();
+    return is_motion;
 }
 
 // While the queue is looked at, music is added to it.
@@ -293,12 +330,35 @@ void StageLoop::load_clip(const Path& file) {
     clip_loading_ = std::async(
         std::launch::async,
         [file, name, settings = settings_]() -> Expected<std::unique_ptr<engine::ClipPerformance>> {
-            auto clip = open_clip(file.string(), settings);
-            if (!clip) {
-                return fail(clip.error());
-            }
-            return std::make_unique<engine::ClipPerformance>(std::move(*clip), name);
+            MotionWish wish;
+            wish.file = file.string();
+            return performance_of(wish, name, settings);
         });
+}
+
+// What is asked for on the command line is there from the start.
+Expected<void> StageLoop::perform_wished() {
+    const MotionWish& wish = options_.motion;
+    if (wish.file.empty()) {
+        return {};
+    }
+    const std::string name = printable(engine::AvatarClip::file_of(wish.file).filename().string());
+    auto performance = performance_of(wish, name, settings_);
+    if (!performance) {
+        return fail(performance.error());
+    }
+    performance_ = std::move(*performance);
+    apps::say(fmt::format("performing {}: {}", name, performance_->description()));
+    return {};
+}
+
+// With every picture: a seek leads to another place of the song.
+void StageLoop::follow_song() {
+    engine::Playback* const playback = graph_->playback();
+    if (performance_ && playback != nullptr) {
+        performance_->follow_song(playback->position_seconds() -
+                                  to_seconds(graph_->analysis().taken_until() - StreamTime{}));
+    }
 }
 
 // With every picture: what was dropped may be there.
@@ -306,7 +366,9 @@ void StageLoop::take_loaded() {
     if (is_ready(clip_loading_)) {
         if (auto clip = clip_loading_.get()) {
             performance_ = std::move(*clip);
-            say("performing " + performance_->name() + " (D: dance again)");
+            say(fmt::format("performing {}: {} (D: dance again)",
+                            performance_->name(),
+                            performance_->description()));
         } else {
             say(clip.error().message);
         }

@@ -24,7 +24,8 @@ namespace {
 
 // Errors: those of the reader, whose warnings are printed.
 Expected<motion::MotionFile> read_file_of(const StickArguments& arguments, const Path& path) {
-    auto file = motion::read_motion(path, clip_reading(arguments.fps, arguments.skeleton));
+    auto file = motion::read_motion(
+        path, clip_reading(arguments.fps, arguments.skeleton, arguments.body.arm_angle));
     if (file) {
         for (const std::string& warning :
              std::visit([](const auto& clip) { return clip.warnings; }, *file)) {

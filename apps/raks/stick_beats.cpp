@@ -26,7 +26,7 @@ Expected<TakeReading> reading_of(const StickArguments& arguments) {
     if (!joints) {
         return fail(std::move(joints.error()));
     }
-    return TakeReading{clip_reading(arguments.fps, arguments.skeleton),
+    return TakeReading{clip_reading(arguments.fps, arguments.skeleton, arguments.body.arm_angle),
                        arguments.body.options(),
                        std::move(*joints)};
 }

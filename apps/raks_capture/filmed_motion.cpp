@@ -47,7 +47,8 @@ void hold_before_jump(FilmedMotion& filmed) {
 
 Expected<FilmedMotion> read_filmed_motion(const std::filesystem::path& file,
                                           const FilmedMotionOptions& options) {
-    auto clip = motion::read_skeleton_motion(file, clip_reading(options.frames_per_second));
+    auto clip = motion::read_skeleton_motion(
+        file, clip_reading(options.frames_per_second, {}, options.arm_angle));
     if (!clip) {
         return fail(std::move(clip.error()));
     }

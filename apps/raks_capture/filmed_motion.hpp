@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "base/expected.hpp"
@@ -18,10 +19,11 @@ struct FilmedMotion {
 
 /// What of a file is danced, and how.
 struct FilmedMotionOptions {
-    double frames_per_second = 0.0;  ///< of the file, where it is wrong; 0: the file's
-    double tempo = 1.0;              ///< so many times as fast
-    double seconds = 0.0;            ///< from its begin; 0: all
-    motion::BodyOptions body;        ///< how the body lies in the file
+    double frames_per_second = 0.0;     ///< of the file, where it is wrong; 0: the file's
+    double tempo = 1.0;                 ///< so many times as fast
+    double seconds = 0.0;               ///< from its begin; 0: all
+    motion::BodyOptions body;           ///< how the body lies in the file
+    std::optional<double> arm_angle{};  ///< of a VMD: motion::MotionReadOptions
 };
 
 /// Reads a motion file of any form and puts it on the mannequin. A jump out of a T-pose within the

@@ -297,7 +297,8 @@ ExitCode simulate(const SimulateArguments& arguments) {
                                            {.frames_per_second = arguments.fps,
                                             .tempo = arguments.tempo,
                                             .seconds = arguments.seconds,
-                                            .body = arguments.body.options()});
+                                            .body = arguments.body.options(),
+                                            .arm_angle = arguments.body.arm_angle});
     if (!filmed) {
         return fail(filmed.error());
     }

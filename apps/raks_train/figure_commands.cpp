@@ -20,13 +20,22 @@ void add_train_figure(CommandTable& table) {
         app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
     app->add_option("--beats", a->beats, "beats of one repeat, where there are no labels")
         ->check(in_range(1, 64));
-    app->add_flag("--once", a->once, "the clip is one phrase, which does not repeat")
-        ->excludes(labels)
-        ->excludes(propose);
+    auto* once = app->add_flag("--once", a->once, "each clip is one phrase, learnt as a whole")
+                     ->excludes(labels)
+                     ->excludes(propose);
+    auto* bpm = app->add_option("--bpm", a->bpm, "tempo of such a phrase")
+                    ->check(in_range(20.0, 400.0))
+                    ->needs(once)
+                    ->excludes("--beats");
+    add_named_option(*app,
+                     "--travel",
+                     a->travel,
+                     motion::kClipTravelNames,
+                     "whether the dance leads where the clips do: file, or none");
     auto* counts = app->add_option("--counts", a->counts, "TSV: when each count falls");
     auto* music = app->add_option("--music", a->music, "music danced to: its beats are the counts");
     // Counts come from a table or from the music's beats, never from both.
-    music->excludes(counts);
+    music->excludes(counts)->excludes(bpm);
     app->add_option("--offset", a->offset, "seconds of the music at a clip's first frame")
         ->check(in_range(-kLongestSeconds, kLongestSeconds))
         ->needs(music);

@@ -81,6 +81,35 @@ std::string comparison(const std::vector<motion::TakeCheck>& checks, const std::
     return text_table(rows);
 }
 
+/// The other ways to count a phrase, and how to ask for the likeliest of them; empty: none.
+std::string doubts_of(const motion::FoundRepeats& phrase) {
+    std::string text;
+    for (std::size_t i = 1; i < phrase.counts.size(); ++i) {
+        const motion::PhraseCount& other = phrase.counts[i];
+        text += fmt::format("{}{} beats at {:.1f} BPM ({:.0f} %)",
+                            i == 1 ? "" : ", ",
+                            other.beats,
+                            other.bpm,
+                            100.0 * other.probability);
+    }
+    return text.empty() ? text : fmt::format("; or {}: --bpm takes another", text);
+}
+
+std::string phrase_line(const motion::DiscoveredClip& clip) {
+    const motion::FoundRepeats& phrase = clip.found;
+    const std::string sure = phrase.counts.empty()
+                                 ? ""
+                                 : fmt::format(" ({:.0f} %)", 100.0 * phrase.counts[0].probability);
+    return fmt::format("{}: one phrase of {:.2f} s from {:.2f} s on: {} beats at {:.1f} BPM{}{}\n",
+                       printable(clip.take),
+                       phrase.seconds,
+                       phrase.repeats.front().start / clip.clip.frames_per_second,
+                       phrase.beats,
+                       phrase.tempo(),
+                       sure,
+                       doubts_of(phrase));
+}
+
 }  // namespace
 
 Path page_beside(const Path& table) {
@@ -95,14 +124,28 @@ Expected<motion::DiscoveredClips> found_in_clips(const TrainFigureArguments& arg
     if (arguments.beats > 0) {
         options.beats = arguments.beats;
     }
+    if (arguments.bpm > 0.0) {
+        options.bpm = arguments.bpm;
+    }
     const auto what = arguments.once ? motion::Discovery::whole_phrase : motion::Discovery::repeats;
     auto found = motion::discover_clips(plan, what, options);
     if (found) {
         for (const std::string& warning : found->warnings) {
             say(warning);
         }
+        for (const std::string& why : found->skipped) {
+            say(why + "; it is left out");
+        }
     }
     return found;
+}
+
+std::string few_alike(const motion::DiscoveredClips& found) {
+    std::size_t repeats = 0;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        repeats += clip.found.repeats.size();
+    }
+    return fmt::format("{} of {} repeats are alike", found.good(), repeats);
 }
 
 std::string found_lines(const motion::DiscoveredClips& found) {
@@ -112,13 +155,8 @@ std::string found_lines(const motion::DiscoveredClips& found) {
         if (repeats.repeats.empty()) {
             continue;
         }
-        if (repeats.repeats.size() == 1) {
-            text += fmt::format("{}: one phrase of {} beats ({:.2f} s, {:.0f} BPM) from {:.1f} s\n",
-                                printable(clip.take),
-                                repeats.beats,
-                                repeats.seconds,
-                                repeats.tempo(),
-                                repeats.repeats[0].start / clip.clip.frames_per_second);
+        if (repeats.repeats.size() == 1 && repeats.repeats.front().is_good) {
+            text += phrase_line(clip);
             continue;
         }
         std::string starts;
@@ -161,6 +199,9 @@ Expected<void> propose(const TrainFigureArguments& arguments,
         return written;
     }
     print_text(found_lines(*found));
+    if (found->good() < motion::kFewestRepeats) {
+        say(fmt::format("{}; six make a good figure", few_alike(*found)));
+    }
     if (!arguments.labels.empty()) {
         const auto truth = motion::load_labels(arguments.labels);
         if (!truth) {

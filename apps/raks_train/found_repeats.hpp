@@ -20,7 +20,11 @@ namespace raks::apps {
 [[nodiscard]] Expected<void> propose(const TrainFigureArguments& arguments,
                                      const motion::FigureTrainingPlan& plan);
 
-/// What was found, a line a clip: repeats, beats, tempo, and the seconds of those that are learnt.
+/// "1 of 3 repeats are alike", over all clips.
+[[nodiscard]] std::string few_alike(const motion::DiscoveredClips& found);
+
+/// What was found, a line a clip: repeats, beats, tempo, and the seconds of those that are learnt;
+/// of a phrase in which ways it may be counted, and how likely each is.
 [[nodiscard]] std::string found_lines(const motion::DiscoveredClips& found);
 
 }  // namespace raks::apps

@@ -136,6 +136,7 @@ ExitCode propose_take(const TrainTakeArguments& arguments) {
     units.up = body.up;
     units.metres_per_unit = body.metres_per_unit;
     units.height = body.height;
+    units.reading.arm_angle = arguments.body.arm_angle;
     Proposed all;
     for (const auto& [name, path] : *paths) {
         const auto take = proposed(path, units, song, arguments.offset);

@@ -48,9 +48,11 @@ struct TrainFigureArguments : LabelledClips {
     motion::CovarianceKind covariance = motion::CovarianceKind::tied;  ///< of the states' Gaussians
     /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;
-    Path propose;        ///< .tsv that the repeats found are written to; empty: learnt at once
-    int beats = 0;       ///< of one repeat in clips without labels; 0: found
-    bool once = false;   ///< learns the clip as one phrase
+    Path propose;       ///< .tsv that the repeats found are written to; empty: learnt at once
+    int beats = 0;      ///< of one repeat in clips without labels; 0: found
+    bool once = false;  ///< learns each clip as one phrase
+    double bpm = 0.0;   ///< of such phrases; 0: found
+    motion::ClipTravel travel = motion::ClipTravel::file;  ///< how much of the clips' way is kept
     std::string source;  ///< "cmu": the model carries CMU's acknowledgement
     std::string output;  ///< X.json, a folder, or the name of a dance; empty: the dance's name
 };

@@ -14,10 +14,11 @@
 #include "apps/raks_train/likelihoods.hpp"
 #include "apps/raks_train/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/dance_list.hpp"
 #include "base/pending_file.hpp"
 #include "base/plain_name.hpp"
 #include "base/printable.hpp"
-#include "engine/setup/dance_catalogue.hpp"
+#include "base/statistics.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "training/figures/training_plan.hpp"
@@ -47,6 +48,8 @@ Expected<motion::FigureTrainingPlan> figure_plan(const TrainFigureArguments& arg
     plan.up = body.up;
     plan.metres_per_unit = body.metres_per_unit;
     plan.height = body.height;
+    plan.travel = arguments.travel;
+    plan.reading.arm_angle = arguments.body.arm_angle;
     if (arguments.states > 0) {
         plan.states = arguments.states;
     }
@@ -84,53 +87,54 @@ Expected<motion::FigureTrainingPlan> plan_of(const LabelledClips& clips) {
 }
 
 std::vector<Path> inputs_of(const LabelledClips& clips) {
-    std::vector<Path> inputs = clips.clips;
-    inputs.insert(inputs.end(), {clips.labels, clips.counts, clips.faults});
+    std::vector<Path> inputs = {clips.labels, clips.counts, clips.faults};
+    for (const Path& clip : clips.clips) {
+        inputs.push_back(motion::clip_address(clip).file);
+    }
     return inputs;
 }
 
 namespace {
 
-// The dance of a figure from clips: as --extends or --dance say, as the output is called, as the
-// clip is called if it has no labels, or the first of the list, in this order.
-Expected<std::string> dance_of(const TrainFigureArguments& arguments) {
+// The name that `-o` gives: NAME, or that of X.json or of a folder; empty: none.
+std::string name_of_output(const std::string& output) {
+    const Path path(output);
+    const Path last = path.has_filename() ? path : path.parent_path();
+    const std::string stem =
+        last.extension() == ".json" ? last.stem().string() : last.filename().string();
+    return stem == "." || stem == ".." ? std::string() : stem;
+}
+
+// The dance of a figure from clips: as --extends or --dance say, as the output is called, or as the
+// clip is called, in this order.
+std::string dance_of(const TrainFigureArguments& arguments) {
     // A figure that extends a dance is of that dance, whatever --dance says.
     for (const std::string& told : {arguments.extends, arguments.dance}) {
         if (!told.empty()) {
             return told;
         }
     }
-    if (is_dance_name(arguments.output)) {
-        return arguments.output;
-    }
-    // A clip that nobody labelled is a new dance, by its own name.
-    if (arguments.labels.empty()) {
-        const std::string name = arguments.clips.front().stem().string();
-        if (!is_dance_name(name)) {
-            return fail(fmt::format("give the dance a name: -o NAME ({} cannot be one)", name));
-        }
-        return name;
-    }
-    const auto catalogue = engine::DanceCatalogue::load();
-    if (!catalogue) {
-        return fail(catalogue.error());
-    }
-    return catalogue->list()->all().front().name;
+    const std::string output = name_of_output(arguments.output);
+    return made_dance_name(output.empty() ? motion::take_name(arguments.clips.front()) : output);
 }
 
-// The dances.toml entry of a dance that has this one figure: its tempi lie around the learnt one.
-DanceInfo info_of(const motion::FigureModel& model, const TrainFigureArguments& arguments) {
+// The dances.toml entry of a dance that has these figures: its tempi lie around those learnt.
+DanceInfo info_of(const std::vector<motion::FigureTrainingReport>& learnt,
+                  const TrainFigureArguments& arguments) {
     // Share of the learnt tempo by which the dance's range reaches to either side.
     constexpr double kReach = 0.2;
+    std::vector<double> tempi;
+    for (const motion::FigureTrainingReport& report : learnt) {
+        // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
+        tempi.push_back(std::clamp(report.model.learnt_tempo.bpm(), 25.0, 330.0));
+    }
     DanceInfo info;
-    info.name = info.title = model.dance;
+    info.name = info.title = learnt.front().model.dance;
     info.extends = arguments.extends;
     info.beats_per_bar = arguments.beats_per_bar;
-    // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
-    const double tempo = std::clamp(model.learnt_tempo.bpm(), 25.0, 330.0);
-    info.lowest = Bpm(std::round((1.0 - kReach) * tempo));
-    info.highest = Bpm(std::round((1.0 + kReach) * tempo));
-    info.likely = Bpm(std::round(tempo));
+    info.lowest = Bpm(std::round((1.0 - kReach) * *std::min_element(tempi.begin(), tempi.end())));
+    info.highest = Bpm(std::round((1.0 + kReach) * *std::max_element(tempi.begin(), tempi.end())));
+    info.likely = Bpm(std::round(upper_median(std::move(tempi))));
     return info;
 }
 
@@ -154,16 +158,20 @@ Expected<void> take_counts(const TrainFigureArguments& arguments,
 
 namespace {
 
-// States for figures of the length found: as many a beat as a captured figure of 8 beats has; of a
+// States for figures of so many beats: as many a beat as a captured figure of 8 beats has; of a
 // phrase danced once more, for there the states are the motion itself.
-int states_of(const motion::DiscoveredClips& found, bool is_once) {
+int states_of(int beats, bool is_once) {
     constexpr int kCaptured = 2;
     constexpr int kOnce = 4;
-    int beats = 8;
+    return (is_once ? kOnce : kCaptured) * std::max(beats, 8);
+}
+
+int states_of(const motion::DiscoveredClips& found) {
+    int beats = 0;
     for (const motion::DiscoveredClip& clip : found.clips) {
         beats = std::max(beats, clip.found.beats);
     }
-    return (is_once ? kOnce : kCaptured) * beats;
+    return states_of(beats, false);
 }
 
 // --propose: writes what is found, and learns nothing.
@@ -195,6 +203,176 @@ ExitCode propose_figure(const TrainFigureArguments& arguments) {
     return kExitDone;
 }
 
+// Learns one figure by a plan whose labels are there. `said`: what the search said of the clips
+// already, which are read again to be learnt from.
+Expected<motion::FigureTrainingReport> learn(const motion::FigureTrainingPlan& plan,
+                                             const std::vector<std::string>& said) {
+    auto report = motion::train_figure(plan);
+    if (!report) {
+        return report;
+    }
+    // What the person should know about clips and model; none of it prevents the training.
+    for (const std::string& warning : report->warnings) {
+        if (std::find(said.begin(), said.end(), warning) == said.end()) {
+            say(warning);
+        }
+    }
+    return report;
+}
+
+// A name for the figure of a clip that no other one has.
+std::string figure_of(const std::string& take,
+                      const std::vector<motion::FigureTrainingReport>& others) {
+    const std::string plain = made_dance_name(take);
+    std::string name = plain;
+    const auto is_taken = [&](const motion::FigureTrainingReport& other) {
+        return other.model.name == name;
+    };
+    for (int number = 2; std::any_of(others.begin(), others.end(), is_taken); ++number) {
+        name = fmt::format("{}_{}", plain, number);
+    }
+    return name;
+}
+
+// A figure of each clip.
+Expected<std::vector<motion::FigureTrainingReport>> learn_phrases(
+    const TrainFigureArguments& arguments,
+    const motion::FigureTrainingPlan& plan,
+    const motion::DiscoveredClips& found) {
+    std::vector<motion::FigureTrainingReport> learnt;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        motion::FigureTrainingPlan own = plan;
+        own.clips = {clip.file};
+        own.figure = arguments.figure.empty() ? figure_of(clip.take, learnt) : arguments.figure;
+        own.found = motion::labels_of(clip.found, clip.take, own.figure, plan.role);
+        if (arguments.states == 0) {
+            own.states = states_of(clip.found.beats, true);
+        }
+        auto report = learn(own, found.warnings);
+        if (!report) {
+            return fail(std::move(report.error()));
+        }
+        learnt.push_back(std::move(*report));
+    }
+    return learnt;
+}
+
+// The figure of clips with labels, or in which repeats were found; of --once one of each clip.
+Expected<std::vector<motion::FigureTrainingReport>> learn_figures(
+    const TrainFigureArguments& arguments, motion::FigureTrainingPlan& plan, bool& has_skipped) {
+    std::vector<std::string> said;
+    if (arguments.labels.empty()) {
+        const auto found = found_in_clips(arguments, plan);
+        if (!found) {
+            return fail(found.error());
+        }
+        has_skipped = !found->skipped.empty();
+        if (arguments.once) {
+            print_text(found_lines(*found));
+            return learn_phrases(arguments, plan, *found);
+        }
+        if (found->good() < motion::kFewestRepeats) {
+            return fail(
+                fmt::format("{}, and a figure needs {}: nothing is learnt; --once learns "
+                            "the whole clip as one dance, raks train take beat by beat",
+                            few_alike(*found),
+                            motion::kFewestRepeats));
+        }
+        print_text(found_lines(*found));
+        said = found->warnings;
+        plan.found = found->labels(plan);
+        if (arguments.states == 0) {
+            plan.states = states_of(*found);
+        }
+    }
+    auto report = learn(plan, said);
+    if (!report) {
+        return fail(std::move(report.error()));
+    }
+    return std::vector<motion::FigureTrainingReport>{std::move(*report)};
+}
+
+// Repeats that were used weigh the figure in a new grammar.
+double repeats_used(const motion::FigureTrainingReport& report) {
+    return static_cast<double>(std::count_if(report.repeats.begin(),
+                                             report.repeats.end(),
+                                             [](const auto& use) { return use.left_out.empty(); }));
+}
+
+// A line for each figure: where its model is, and how well it was learnt.
+void print_learnt(const Destination& destination,
+                  const std::vector<motion::FigureTrainingReport>& learnt) {
+    for (const motion::FigureTrainingReport& report : learnt) {
+        const Path path = !destination.file.empty() ? destination.file
+                                                    : engine::figure_path(destination.folder,
+                                                                          report.model.dance,
+                                                                          report.model.name,
+                                                                          report.model.role,
+                                                                          report.model.features);
+        print_text(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}\n",
+                               printable(path.string()),
+                               repeats_used(report),
+                               report.repeats.size(),
+                               listed_likelihoods(report.model.features, report.log_likelihood)));
+    }
+}
+
+// Everything that can be wrong before the training, which takes long.
+Expected<motion::FigureTrainingPlan> checked_plan(const TrainFigureArguments& arguments,
+                                                  const std::string& dance,
+                                                  const Destination& destination) {
+    // A folder is only added to.
+    if (!destination.file.empty()) {
+        std::vector<Path> inputs = inputs_of(arguments);
+        inputs.push_back(arguments.music);
+        if (auto checked = check_output(destination.file, inputs); !checked) {
+            return fail(std::move(checked.error()));
+        }
+    }
+    auto plan = figure_plan(arguments, dance);
+    if (!plan) {
+        return plan;
+    }
+    // They become parts of file names.
+    for (const std::string* const name : {&plan->dance, &plan->figure}) {
+        if (!is_plain_name(*name)) {
+            return fail(why_no_plain_name(*name));
+        }
+    }
+    if (!arguments.music.empty()) {
+        if (auto taken = take_counts(arguments, *plan); !taken) {
+            return fail(std::move(taken.error()));
+        }
+    }
+    return plan;
+}
+
+ExitCode train_captured(const TrainFigureArguments& arguments) {
+    const std::string dance = dance_of(arguments);
+    const auto destination = destination_of(arguments.output, dance);
+    if (!destination) {
+        return fail(destination.error());
+    }
+    auto plan = checked_plan(arguments, dance, *destination);
+    if (!plan) {
+        return fail(std::move(plan.error()));
+    }
+    bool has_skipped = false;
+    const auto learnt = learn_figures(arguments, *plan, has_skipped);
+    if (!learnt) {
+        return fail(learnt.error());
+    }
+    std::vector<engine::LearntFigure> figures;
+    for (const motion::FigureTrainingReport& report : *learnt) {
+        figures.push_back({&report.model, repeats_used(report)});
+    }
+    if (auto done = deliver(*destination, info_of(*learnt, arguments), figures); !done) {
+        return fail(std::move(done.error()));
+    }
+    print_learnt(*destination, *learnt);
+    return has_skipped ? kExitPartly : kExitDone;
+}
+
 }  // namespace
 
 ExitCode train_figure(const TrainFigureArguments& arguments) {
@@ -215,86 +393,7 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
         }
         return train_authored(arguments);
     }
-    if (!arguments.propose.empty()) {
-        return propose_figure(arguments);
-    }
-    const auto dance = dance_of(arguments);
-    if (!dance) {
-        return fail(dance.error());
-    }
-    const auto destination = destination_of(arguments.output, *dance);
-    if (!destination) {
-        return fail(destination.error());
-    }
-    // Checked before the training, which takes long; a folder is only added to.
-    if (!destination->file.empty()) {
-        std::vector<Path> inputs = inputs_of(arguments);
-        inputs.push_back(arguments.music);
-        if (auto checked = check_output(destination->file, inputs); !checked) {
-            return fail(std::move(checked.error()));
-        }
-    }
-    auto known = figure_plan(arguments, *dance);
-    if (!known) {
-        return fail(std::move(known.error()));
-    }
-    motion::FigureTrainingPlan& plan = *known;
-    // They become parts of file names: said before the training, not after it.
-    for (const std::string* const name : {&plan.dance, &plan.figure}) {
-        if (!is_plain_name(*name)) {
-            return fail(why_no_plain_name(*name));
-        }
-    }
-    if (!arguments.music.empty()) {
-        if (auto taken = take_counts(arguments, plan); !taken) {
-            return fail(std::move(taken.error()));
-        }
-    }
-    // What the search said of the clips already, which are read again to be learnt from.
-    std::vector<std::string> said;
-    if (arguments.labels.empty()) {
-        const auto found = found_in_clips(arguments, plan);
-        if (!found) {
-            return fail(found.error());
-        }
-        said = found->warnings;
-        plan.found = found->labels(plan);
-        if (arguments.states == 0) {
-            plan.states = states_of(*found, arguments.once);
-        }
-        print_text(found_lines(*found));
-    }
-    const auto report = motion::train_figure(plan);
-    if (!report) {
-        return fail(report.error());
-    }
-    // What the person should know about clips and model; none of it prevents the training.
-    for (const std::string& warning : report->warnings) {
-        if (std::find(said.begin(), said.end(), warning) == said.end()) {
-            say(warning);
-        }
-    }
-    // Repeats that were used weigh the figure in a new grammar.
-    const auto used = std::count_if(report->repeats.begin(),
-                                    report->repeats.end(),
-                                    [](const auto& use) { return use.left_out.empty(); });
-    const engine::LearntFigure figure{&report->model, static_cast<double>(used)};
-    if (auto done = deliver(*destination, info_of(report->model, arguments), {&figure, 1}); !done) {
-        return fail(std::move(done.error()));
-    }
-    // The path that the model was written to, for the line below.
-    const Path path = !destination->file.empty() ? destination->file
-                                                 : engine::figure_path(destination->folder,
-                                                                       report->model.dance,
-                                                                       report->model.name,
-                                                                       report->model.role,
-                                                                       report->model.features);
-    print_text(fmt::format("{}: {} of {} repeats; log-likelihood a sample: {}\n",
-                           printable(path.string()),
-                           used,
-                           report->repeats.size(),
-                           listed_likelihoods(report->model.features, report->log_likelihood)));
-    return kExitDone;
+    return arguments.propose.empty() ? train_captured(arguments) : propose_figure(arguments);
 }
 
 }  // namespace raks::apps

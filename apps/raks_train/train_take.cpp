@@ -137,6 +137,7 @@ ExitCode train_take(const TrainTakeArguments& arguments) {
     plan.units.up = body.up;
     plan.units.metres_per_unit = body.metres_per_unit;
     plan.units.height = body.height;
+    plan.units.reading.arm_angle = arguments.body.arm_angle;
     const auto report = motion::train_cells(plan);
     if (!report) {
         return fail(report.error());

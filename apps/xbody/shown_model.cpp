@@ -11,6 +11,7 @@
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/standing_model.hpp"
 #include "render/avatar/model_avatar.hpp"
+#include "render/import/humanoid_labels.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/node_tree.hpp"
@@ -83,7 +84,7 @@ Expected<void> read_labels(const ShownModelPlan& plan, ShownModel& shown) {
         return {};
     }
     shown.labels_file = found;
-    auto labels = engine::load_labels(found);
+    auto labels = render::load_labels(found);
     if (!labels) {
         return fail(std::move(labels.error()));
     }
@@ -113,6 +114,7 @@ void make_first_avatar(ShownModel& shown) {
                                   warnings.begin() + static_cast<std::ptrdiff_t>(before),
                                   warnings.end());
     shown.avatar = std::move(loaded.avatar);
+    shown.images = shown.avatar->surface.images->get();
     shown.notes = std::move(loaded.warnings);
 }
 
@@ -161,8 +163,8 @@ void stand_by_labels(std::vector<render::BoneLabel> labels, ShownModel& model) {
                                           .bones = std::move(labels)};
     }
     stand(model);
-    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar(
-        model.figure.model, model.avatar->surface.images, model.figure.options));
+    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar_with(
+        model.avatar->surface.images, model.figure.model, model.figure.options));
     model.notes = model.figure.model.warnings;
     const auto& rig = model.avatar->rig->warnings;
     model.notes.insert(model.notes.end(), rig.begin(), rig.end());
@@ -291,8 +293,8 @@ render::Camera camera_before(const ShownModel& model,
 }
 
 void set_look(const ModelLook& look, ShownModel& model) {
-    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar(
-        looked(model.figure.model, look), model.avatar->surface.images, model.figure.options));
+    model.avatar = std::make_shared<const render::Avatar>(render::build_avatar_with(
+        model.avatar->surface.images, looked(model.figure.model, look), model.figure.options));
 }
 
 std::vector<glm::vec3> branch_places(const ShownModel& model, const ShownPose& shown, int node) {

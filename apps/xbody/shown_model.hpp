@@ -38,6 +38,7 @@ struct ShownModel {
     render::Model as_read;                     ///< with bones that the file itself names, alone
     engine::AvatarModel figure;                ///< standing
     std::shared_ptr<const render::Avatar> avatar;
+    render::SurfaceImages::Images images;    ///< of the avatar; kept: each look uploads it anew
     std::vector<std::string> notes;          ///< what was mended, guessed, left out: one line each
     std::optional<engine::AvatarClip> clip;  ///< what moves it; none: it stands
 

@@ -1,9 +1,11 @@
 #include "apps/xbody/skeleton_view.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "apps/xbody/sight.hpp"
 #include "base/printable.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/panes/name_tags.hpp"
 
 #include <glm/geometric.hpp>
@@ -21,6 +23,19 @@ std::vector<std::string_view> bone_names(const render::Model& model,
         }
     }
     return names;
+}
+
+/// Of each node whether it is a bone that a figure needs.
+std::vector<bool> needed_nodes(const render::Model& model, const render::HumanoidMap& humanoid) {
+    std::vector<bool> is_needed(model.nodes.size(), false);
+    const auto add = [&](motion::Bone bone) {
+        const int node = humanoid.nodes[motion::index_of(bone)];
+        if (node >= 0) {
+            is_needed[static_cast<std::size_t>(node)] = true;
+        }
+    };
+    std::for_each(render::kRequiredBones.begin(), render::kRequiredBones.end(), add);
+    return is_needed;
 }
 
 // A bone is a narrow kite, broad near the joint from which it comes.
@@ -72,6 +87,7 @@ std::vector<SeenNode> seen_skeleton(const ShownModel& model,
     const Sight sight(camera, box);
     const std::vector<NodeKind> kinds = node_kinds(standing, humanoid);
     const std::vector<std::string_view> names = bone_names(standing, humanoid);
+    const std::vector<bool> is_needed = needed_nodes(standing, humanoid);
     const render::JointTree& tree = model.avatar->rig->tree;
     const auto place_of = [&](int node) {
         const int joint = tree.joint_of(node);
@@ -85,14 +101,46 @@ std::vector<SeenNode> seen_skeleton(const ShownModel& model,
         const auto at = place_of(one.node);
         if (at && (is_hidden.empty() || !is_hidden[index])) {
             seen.push_back({one.node,
+                            one.parent,
                             *at,
                             place_of(one.parent),
                             kinds[index],
                             names[index].empty() ? printable(standing.nodes[index].name, 40)
-                                                 : std::string(names[index])});
+                                                 : std::string(names[index]),
+                            is_needed[index]});
         }
     }
     return seen;
+}
+
+std::vector<bool> named_nodes(const std::vector<SeenNode>& nodes, const SkeletonLook& look) {
+    const auto chosen = std::find_if(
+        nodes.begin(), nodes.end(), [&](const SeenNode& node) { return node.node == look.chosen; });
+    const bool has_needed = std::any_of(
+        nodes.begin(), nodes.end(), [](const SeenNode& node) { return node.is_needed; });
+    const auto is_named = [&](const SeenNode& node) {
+        if (node.node == look.chosen || node.node == look.pointed) {
+            return true;
+        }
+        if (!look.has_names) {
+            return false;
+        }
+        return chosen == nodes.end() ? node.is_needed || !has_needed
+                                     : node.parent == look.chosen || node.node == chosen->parent;
+    };
+    std::vector<bool> named;
+    std::transform(nodes.begin(), nodes.end(), std::back_inserter(named), is_named);
+    return named;
+}
+
+const SeenNode* node_near(const std::vector<SeenNode>& nodes, const glm::vec2& place) {
+    constexpr float kNear = 8.0F;
+    const auto distance = [&](const SeenNode& node) { return glm::distance(node.at, place); };
+    const auto nearest =
+        std::min_element(nodes.begin(), nodes.end(), [&](const auto& one, const auto& other) {
+            return distance(one) < distance(other);
+        });
+    return nearest != nodes.end() && distance(*nearest) < kNear ? &*nearest : nullptr;
 }
 
 void draw_skeleton(const render::PaneFrame& frame,
@@ -106,13 +154,15 @@ void draw_skeleton(const render::PaneFrame& frame,
             draw_bone(frame, node);
         }
     }
-    for (const SeenNode& node : nodes) {
+    const std::vector<bool> is_named = named_nodes(nodes, look);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const SeenNode& node = nodes[i];
         const bool is_chosen = node.node == look.chosen;
         frame.pen.dot(node.at.x, node.at.y, kDot, colour_of(node.kind));
         if (is_chosen) {
             frame.pen.ring(node.at.x, node.at.y, kChosenDot, render::palette::kText);
         }
-        if (is_chosen || look.has_names) {
+        if (is_named[i]) {
             tags.push_back({node.at, node.name, render::palette::kText});
         }
     }

@@ -17,10 +17,12 @@ namespace raks::apps {
 /// A node of the skeleton as it is seen.
 struct SeenNode {
     int node = -1;
+    int parent = -1;                ///< node from which its line comes; -1: it has none
     glm::vec2 at{};                 ///< in the frame; units
     std::optional<glm::vec2> from;  ///< where its line comes from; none: it has none
     NodeKind kind = NodeKind::helper;
-    std::string name;  ///< of the bone, else of the node
+    std::string name;        ///< of the bone, else of the node
+    bool is_needed = false;  ///< a bone without which no figure dances
 };
 
 /// The skeleton of a model in a box of the frame, seen by a camera. What lies behind it is left
@@ -39,8 +41,16 @@ struct SeenNode {
 /// How a skeleton is drawn.
 struct SkeletonLook {
     bool has_names = false;
-    int chosen = -1;  ///< node, drawn larger, its name always; -1: none
+    int chosen = -1;   ///< node, drawn larger, its name always; -1: none
+    int pointed = -1;  ///< node under the pointer, its name always; -1: none
 };
+/// Of each node whether its name is drawn: with names those of the chosen node and of the nodes
+/// next to it; where none is chosen those of the bones that a figure needs; without such bones all.
+/// Fifty names, half of them of fingers, would cover one another.
+[[nodiscard]] std::vector<bool> named_nodes(const std::vector<SeenNode>& nodes,
+                                            const SkeletonLook& look);
+/// The nearest node within reach of a place, units; null: none.
+[[nodiscard]] const SeenNode* node_near(const std::vector<SeenNode>& nodes, const glm::vec2& place);
 /// Draws it.
 void draw_skeleton(const render::PaneFrame& frame,
                    const std::vector<SeenNode>& nodes,

@@ -22,7 +22,10 @@ void draw_marks(const render::PaneFrame& frame,
     const render::PaneClip clip(frame, box);
     draw_springs(frame, seen.springs);
     if (marks.has_bones) {
-        draw_skeleton(frame, seen.skeleton, {.has_names = marks.has_names, .chosen = marks.chosen});
+        draw_skeleton(
+            frame,
+            seen.skeleton,
+            {.has_names = marks.has_names, .chosen = marks.chosen, .pointed = marks.pointed});
     }
 }
 

@@ -12,10 +12,11 @@ namespace raks::apps {
 /// What is drawn over a model, and of it, beside its look.
 struct XbodyMarks {
     bool has_bones = true;
-    bool has_names = false;    ///< beside the bones
+    bool has_names = false;    ///< beside the bones, see named_nodes
     bool has_springs = false;  ///< chains and colliders
     bool is_wireframe = false;
-    int chosen = -1;  ///< node; -1: none
+    int chosen = -1;   ///< node; -1: none
+    int pointed = -1;  ///< node under the pointer; -1: none
 };
 
 /// Bones and springs as they are seen.

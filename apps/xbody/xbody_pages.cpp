@@ -30,6 +30,24 @@ struct PoseLine {
     std::string_view unit{};    ///< of the number
 };
 
+/// How a bone was found, short enough for a row with its name and its node.
+std::string_view short_words_of(render::BoneReason reason) noexcept {
+    switch (reason) {
+        case render::BoneReason::stated:
+            return "by the file";
+        case render::BoneReason::label:
+            return "labelled";
+        case render::BoneReason::name:
+            return "by name";
+        case render::BoneReason::shape:
+            return "by place";
+        case render::BoneReason::swapped:
+            return "by name, sides swapped";
+        default:
+            return render::words_of(reason);
+    }
+}
+
 /// The right pane while it is drawn.
 class PagesPane {
  public:
@@ -95,7 +113,7 @@ class PagesPane {
                 ? fmt::format(
                       "{}, {}",
                       printable(d_.session.model->nodes[static_cast<std::size_t>(node)].name, 24),
-                      words_of(reason))
+                      short_words_of(reason))
             : is_missing ? "missing"
                          : "";
         const render::PaneRow row{.name = motion::kBoneNames[index],
@@ -115,10 +133,8 @@ class PagesPane {
     }
 
     static bool is_needed(motion::Bone bone, const render::HumanoidMap& humanoid) {
-        const auto is_in = [bone](const auto& bones) {
-            return std::find(bones.begin(), bones.end(), bone) != bones.end();
-        };
-        return humanoid.is_of_parts ? is_in(render::kRequiredParts) : is_in(render::kRequiredBones);
+        const auto bones = render::required_bones(humanoid);
+        return std::find(bones.begin(), bones.end(), bone) != bones.end();
     }
 
     void texts(const std::vector<XbodyLine>& all, std::size_t from_row) {

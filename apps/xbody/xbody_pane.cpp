@@ -10,8 +10,6 @@
 #include "apps/xbody/xbody_drawing.hpp"
 #include "render/import/humanoid_map.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace raks::apps {
 namespace {
 
@@ -70,23 +68,19 @@ class XbodyPane {
         if (!(camera == d_.session.camera)) {
             d_.wish(MoveCamera{camera});
         }
-        draw_marks(d_.frame, d_.layout.view, d_.view.seen, d_.session.marks());
+        XbodyMarks marks = d_.session.marks();
+        const SeenNode* const pointed =
+            item.is_hovered ? node_near(d_.view.seen.skeleton, d_.frame.pointer) : nullptr;
+        marks.pointed = pointed == nullptr ? -1 : pointed->node;
+        draw_marks(d_.frame, d_.layout.view, d_.view.seen, marks);
     }
 
     // A joint is picked before the surface that hides it.
     void pick() {
-        constexpr float kNear = 8.0F;
-        const auto distance = [&](const SeenNode& node) {
-            return glm::distance(node.at, d_.frame.pointer);
-        };
-        const auto nearest = std::min_element(
-            d_.view.seen.skeleton.begin(),
-            d_.view.seen.skeleton.end(),
-            [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-        const bool is_joint = d_.session.has_bones && nearest != d_.view.seen.skeleton.end() &&
-                              distance(*nearest) < kNear;
-        if (is_joint) {
-            d_.wish(ChooseNode{nearest->node});
+        const SeenNode* const joint =
+            d_.session.has_bones ? node_near(d_.view.seen.skeleton, d_.frame.pointer) : nullptr;
+        if (joint != nullptr) {
+            d_.wish(ChooseNode{joint->node});
         } else {
             d_.wishes.emplace_back(PickSurface{d_.frame.pointer});
         }

@@ -32,6 +32,7 @@ struct AnalyzerCommand {
         set_tempo,      ///< `value` BPM, clamped to the range above, held until release_tempo
         hold_tempo,     ///< keeps the present tempo until release_tempo
         release_tempo,  ///< follow the music again
+        set_beat,       ///< a beat is at `time`; until release_tempo beats follow no music any more
         hint_genre,     ///< dance number `value`: its tempi become likelier while a tempo is sought
     };
     Kind kind = Kind::tap;  ///< see Kind

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace raks::audio {
 namespace {
@@ -70,6 +71,8 @@ constexpr float kChangeTrust = 0.6F;    // ln likelihood for one standard deviat
 constexpr BarEvidence kUsual = {0.28F, 0.18F, 0.54F};
 constexpr float kNetworkTrust = 0.6F;
 constexpr float kLeastOfBar = 0.01F;  // lowest probability of the network that counts
+// Four of five songs begin on the first beat of a bar: odds against each other place of a bar of 4.
+constexpr float kStartsOnFirst = 12.0F;
 constexpr float kStay = 1.3F;  // another place must be likelier by this factor to be published
 
 }  // namespace
@@ -162,13 +165,28 @@ void BarBelief::observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKI
 
 // Multiplies in the likelihoods of the last beat's evidence, then normalizes.
 void BarBelief::weigh(const BarLikelihood& likelihood) noexcept {
-    float total = 0.0F;
     for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
         for (int place = 0; place < kMetres[metre]; ++place) {
-            float& value = probability_[metre][static_cast<std::size_t>(place)];
-            value *= likelihood.of(kMetres[metre], place);
-            total += value;
+            probability_[metre][static_cast<std::size_t>(place)] *=
+                likelihood.of(kMetres[metre], place);
         }
+    }
+    normalize();
+}
+
+void BarBelief::observe_start(long number) noexcept RAKS_NONBLOCKING {
+    for (std::size_t metre = 0; metre < kMetres.size(); ++metre) {
+        const long beats = kMetres[metre];
+        const long place = ((number_ - number) % beats + beats) % beats;
+        probability_[metre][static_cast<std::size_t>(place)] *= kStartsOnFirst;
+    }
+    normalize();
+}
+
+void BarBelief::normalize() noexcept {
+    float total = 0.0F;
+    for (const Positions& places : probability_) {
+        total = std::accumulate(places.begin(), places.end(), total);
     }
     for (Positions& places : probability_) {
         for (float& value : places) {

@@ -127,6 +127,9 @@ class BarBelief {
     /// Evidence: a network's probabilities of the last beat's place in its bar.
     void observe_bar(const BarEvidence& evidence) noexcept RAKS_NONBLOCKING;
 
+    /// Evidence: the song has begun with beat `number`, which then is a downbeat, most likely.
+    void observe_start(long number) noexcept RAKS_NONBLOCKING;
+
     /// The user sets beat `number` as a downbeat: held until reset().
     void hold(long number) noexcept RAKS_NONBLOCKING;
 
@@ -151,6 +154,7 @@ class BarBelief {
 
     void step() noexcept;
     void weigh(const BarLikelihood& likelihood) noexcept;
+    void normalize() noexcept;
     void tell() noexcept;
 
     std::array<Positions, kMetres.size()> probability_{};  // by metre

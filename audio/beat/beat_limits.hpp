@@ -22,6 +22,8 @@ inline constexpr float kFullEvidence = 0.35F;  ///< see kLeastEvidence
 inline constexpr float kAnnounceConfidence = 0.02F;
 /// Least distance of two announced beats, as a share of the beat.
 inline constexpr double kLeastGap = 0.45;
+/// In the first hops of a sound the grid is set to the estimate at once.
+inline constexpr int kFirstHops = 150;
 /// How long before it sounds a beat is predicted.
 inline constexpr Nanos kPredictedLead = std::chrono::milliseconds(100);
 

@@ -40,6 +40,9 @@ class BeatPointer {
 
     /// Back to the default prior.
     void reset() noexcept RAKS_NONBLOCKING;
+    /// Another song tells this tempo (BeatPointerConfig::told_bpm; 0: none). The present belief
+    /// stays, and so does the prior in force until it is taken anew.
+    void expect_told(double bpm) noexcept RAKS_NONBLOCKING { states_.expect_told(bpm); }
     /// Expects a tempo within some percent of this one and rules out those more than about a third
     /// away, until expect_any_tempo(). All phases become equally likely.
     void expect_tempo(double bpm) noexcept RAKS_NONBLOCKING;

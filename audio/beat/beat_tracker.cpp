@@ -18,7 +18,8 @@ constexpr double kTempoPull = 0.01;  // a hop, toward the estimated tempo
 constexpr double kApartPhase = 0.12;  // beats
 constexpr double kApartTempo = 0.10;  // ratio
 constexpr int kApartHops = 6;
-constexpr int kFirstHops = 150;  // in the first hops the grid is set at once
+// Where a song began counts for the bars of its first 10 s.
+constexpr HopIndex kStartCounts = 1'000;
 // After this many beats without evidence of a beat the grid runs on by itself: the pointer's
 // estimate slows down and spreads.
 constexpr double kLongestWithout = 1.1;  // beats
@@ -52,7 +53,7 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     position_ = 0.0;
     beats_per_hop_ = 1.0 / 50;
     nudge_hops_ = 0.0;
-    is_tempo_held_ = is_tempo_chosen_ = false;
+    is_tempo_held_ = is_tempo_chosen_ = are_beats_set_ = false;
     hint_ = DanceId::none;
     begin_tempo();
     hops_without_ = 0;
@@ -63,6 +64,10 @@ void BeatTracker::reset() noexcept RAKS_NONBLOCKING {
     contrast_ = mass_ = confidence_ = 0.0F;
     margins_.reset();
     verdict_ = {};
+    hop_ = start_until_ = 0;
+    quiet_hop_ = -1'000;
+    start_.reset();
+    owes_start_ = false;
     next_beat_ = next_predicted_ = 0;
     last_beat_time_ = last_predicted_time_ = StreamTime(std::chrono::seconds(-10));
     commands_.clear();
@@ -118,6 +123,7 @@ BeatTracker::HopEvidence& BeatTracker::evidence_at(HopIndex hop) noexcept {
 // Commands apply before the hop is evaluated. In silence the pointer moves on without evidence.
 void BeatTracker::advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING {
     position_ += beats_per_hop_;
+    listen_for_start(hop);
     run_commands(time_of_hop(hop.hop));
     evidence_at(hop.hop) = {.strength = hop.onset_strength, .evidence = {}};
     if (hop.is_silent) {
@@ -216,6 +222,9 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
     const double error = std::remainder(estimate.phase + lag - position_, 1.0);
     const bool is_tempo_apart =
         !is_tempo_held_ && std::abs(beats_per_hop_ / believed_rate - 1.0) > kApartTempo;
+    if (are_beats_set_) {
+        return;
+    }
     const bool is_apart = is_tempo_apart || std::abs(error) > kApartPhase;
     hops_apart_ = is_apart ? hops_apart_ + 1 : 0;
     if (hops_with_evidence_ < kFirstHops || hops_apart_ > kApartHops) {
@@ -225,6 +234,7 @@ void BeatTracker::follow(const PointerEstimate& estimate, int lag_hops) noexcept
         if (is_apart) {
             margins_.reset();
             forget_pulses();
+            owes_start_ = start_ && hop_ - *start_ < kStartCounts;
         }
         if (!is_tempo_held_) {
             beats_per_hop_ = believed_rate;
@@ -345,6 +355,7 @@ void BeatTracker::rate_beat(const TrackedHop& hop) noexcept {
         bars_.observe_bar(*std::exchange(bar_evidence_, std::nullopt));
     }
     bars_.next_beat(beat);
+    place_start();
     // A beat with little evidence says nothing about the bar.
     if (hop.has_evidence && most.beat > kLeastEvidence) {
         bars_.observe_downbeat(most.downbeat / most.beat);

@@ -57,12 +57,9 @@ class BeatTracker {
     /// Real-time: no.
     void expect_dances(std::shared_ptr<const DanceList> dances) { dances_ = std::move(dances); }
 
-    /// Sets the tempo that the file itself tells (BeatPointerConfig::told_bpm), from the next
-    /// reset() on; 0: none. Real-time: no.
-    void expect_told(double bpm) {
-        pointer_ = BeatPointer({.told_bpm = bpm});
-        is_tempo_told_ = bpm > 0.0;
-    }
+    /// Sets the tempo that is told of the music (BeatPointerConfig::told_bpm); 0: none. The present
+    /// belief stays.
+    void expect_told(double bpm) noexcept RAKS_NONBLOCKING;
 
     /// One hop; sets grid, beat and predicted of `state`.
     void advance(const TrackedHop& hop, MusicState& state) noexcept RAKS_NONBLOCKING;
@@ -78,6 +75,10 @@ class BeatTracker {
 
     /// The audio continues elsewhere: seeks the beat anew, with the tempo as a first guess.
     void jump() noexcept RAKS_NONBLOCKING;
+
+    /// Another song begins now: what the music has said is forgotten. What a person said stays:
+    /// commands, a held tempo, a nudge. Beats are numbered on.
+    void begin_song() noexcept RAKS_NONBLOCKING;
 
     /// Queues a command for its time, or for the next hop when that has passed. False: 16 are
     /// waiting.
@@ -100,6 +101,7 @@ class BeatTracker {
     void apply(const AnalyzerCommand& command, StreamTime now) noexcept;
     void change_tempo(double bpm) noexcept;
     void release_tempo() noexcept;
+    void expect_hinted() noexcept;
     void change_octave(double factor) noexcept;
     void take_three_two() noexcept;
     void take_pulse(const RivalPulse& rival) noexcept;
@@ -112,6 +114,8 @@ class BeatTracker {
     void weigh_rivals(const TrackedHop& hop) noexcept;
     void track_bars(const TrackedHop& hop) noexcept;
     void forget_bars() noexcept;
+    void listen_for_start(const TrackedHop& hop) noexcept;
+    void place_start() noexcept;
     void track_pulses(const TrackedHop& hop) noexcept;
     void forget_pulses() noexcept;
     [[nodiscard]] BeatEvidence as_believed(const BeatEvidence& evidence, int lag) const noexcept;
@@ -130,7 +134,8 @@ class BeatTracker {
     double beats_per_hop_ = 1.0 / 50;  // tempo; 120 BPM at first
     double nudge_hops_ = 0.0;          // the user's shift of the beats; positive: later
     bool is_tempo_held_ = false;
-    bool is_tempo_told_ = false;    // by the file
+    bool are_beats_set_ = false;    // by somebody who knows them: the music moves them no more
+    bool is_tempo_told_ = false;    // by the file, or by who plays it
     bool is_tempo_chosen_ = false;  // by the user, who knows the metre
     std::shared_ptr<const DanceList> dances_;
     DanceId hint_ = DanceId::none;     // dance of the last hint_genre
@@ -149,6 +154,13 @@ class BeatTracker {
     long sounding_beat_ = 0;                   // number of the current beat
     float change_ = 0.0F;                      // of the sound, at the beat before
     std::optional<BarEvidence> bar_evidence_;  // of the beat before
+
+    // Where the song began, as somebody said that it begins.
+    HopIndex hop_ = 0;               // the newest
+    HopIndex quiet_hop_ = -1'000;    // the newest that was too soft for a beat
+    HopIndex start_until_ = 0;       // its first sound comes before this hop
+    std::optional<HopIndex> start_;  // hop of its first sound behind quiet
+    bool owes_start_ = false;        // the bars are not told yet
 
     // The metre.
     PulseInput pulse_input_;

@@ -1,7 +1,9 @@
-// What a person asks of the beat tracker, and what the network for the metre changes over to.
+// What is asked of the beat tracker by a person and by what is known of songs, and what the network
+// for the metre changes over to.
 #include <algorithm>
 #include <cmath>
 
+#include "audio/beat/beat_limits.hpp"
 #include "audio/beat/beat_tracker.hpp"
 
 namespace raks::audio {
@@ -32,9 +34,14 @@ void BeatTracker::change_tempo(double bpm) noexcept {
     }
 }
 
-// Allows any tempo; those of the hinted dance are likelier.
+// Allows any tempo.
 void BeatTracker::release_tempo() noexcept {
-    is_tempo_held_ = is_tempo_chosen_ = false;
+    is_tempo_held_ = is_tempo_chosen_ = are_beats_set_ = false;
+    expect_hinted();
+}
+
+// Tempi of the hinted dance are likelier.
+void BeatTracker::expect_hinted() noexcept {
     const DanceInfo* const dance = dances_ ? dances_->find(hint_) : nullptr;
     if (dance != nullptr) {
         pointer_.expect_range(dance->lowest.bpm(), dance->highest.bpm());
@@ -123,6 +130,10 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
                              position_ - std::floor(position_));
             is_tempo_held_ = true;
             break;
+        case Kind::set_beat:
+            set_position(hops_ago * beats_per_hop_);
+            is_tempo_held_ = are_beats_set_ = true;
+            break;
         case Kind::release_tempo:
             release_tempo();
             break;
@@ -133,6 +144,69 @@ void BeatTracker::apply(const AnalyzerCommand& command, StreamTime now) noexcept
                 release_tempo();
             }
             break;
+    }
+}
+
+void BeatTracker::expect_told(double bpm) noexcept RAKS_NONBLOCKING {
+    pointer_.expect_told(bpm);
+    is_tempo_told_ = bpm > 0.0;
+    // A tempo that a person has chosen rules out others already.
+    if (!is_tempo_held_ && !is_tempo_chosen_) {
+        expect_hinted();
+    }
+}
+
+void BeatTracker::begin_song() noexcept RAKS_NONBLOCKING {
+    jump();
+    bars_.reset();
+    changes_.reset();
+    taps_.reset();
+    change_ = 0.0F;
+    if (is_tempo_held_) {
+        return;
+    }
+    // Who plays it says so somewhat before or behind its first sound.
+    constexpr HopIndex kBefore = 50;
+    constexpr HopIndex kBehind = 150;
+    // Players name a song when they read it, and what they have read before sounds a fifth of a
+    // second more; without quiet between songs this is what is known.
+    constexpr HopIndex kPlayersKeep = 20;
+    start_ = hop_ - quiet_hop_ < kBefore ? quiet_hop_ + 1 : hop_ + kPlayersKeep;
+    start_until_ = hop_ + kBehind;
+    owes_start_ = true;
+    is_tempo_chosen_ = false;
+    hint_ = DanceId::none;
+    pointer_.reset();
+    begin_tempo();
+    hops_apart_ = hops_without_ = 0;
+}
+
+// The first sound of a song is the last one behind quiet.
+void BeatTracker::listen_for_start(const TrackedHop& hop) noexcept {
+    hop_ = hop.hop;
+    if (hop.quiet_hops > 0) {
+        quiet_hop_ = hop_;
+        if (owes_start_ && hop_ < start_until_) {
+            start_ = hop_ + 1;
+        }
+    }
+}
+
+// Songs mostly begin on the first beat of a bar. Told once the grid is no longer set anew with each
+// hop, and again where it was.
+void BeatTracker::place_start() noexcept {
+    constexpr double kNear = 0.25;  // beats
+    if (!owes_start_ || hops_with_evidence_ < kFirstHops) {
+        return;
+    }
+    owes_start_ = false;
+    if (!start_) {
+        return;
+    }
+    const double hops_ago = static_cast<double>(hop_ - *start_) + kOnsetLagHops;
+    const double place = position_ - hops_ago * beats_per_hop_;
+    if (std::abs(std::remainder(place, 1.0)) < kNear) {
+        bars_.observe_start(std::lround(place));
     }
 }
 

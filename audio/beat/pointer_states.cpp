@@ -137,24 +137,43 @@ PointerStates::PointerStates(const BeatPointerConfig& config) : config_(config) 
             last = hops;
         }
     }
+    for (const Tempo& from : tempi_) {
+        add_transitions(from);
+    }
+    transition_ = untold_transition_;
+    expect_told(config.told_bpm);
+}
+
+// Log-normal tempo prior, spread evenly over the states of each tempo.
+void PointerStates::expect_told(double bpm) noexcept RAKS_NONBLOCKING {
+    config_.told_bpm = bpm;
+    for (std::size_t i = 0; i < tempi_.size(); ++i) {
+        const Tempo& tempo = tempi_[i];
+        const double tempo_bpm = hops_of(1.0) / tempo.hops;
+        const double octaves = std::log2(tempo_bpm / config_.centre_bpm) / config_.octaves;
+        const bool is_wrong = is_mistaken(tempo_bpm, bpm);
+        const float prior =
+            static_cast<float>(std::exp(-0.5 * octaves * octaves) / tempo.hops) *
+            static_cast<float>(tempo.parts == 3 ? config_.in_three : 1.0 - config_.in_three) *
+            (is_wrong ? kMistakenAtFirst : 1.0F);
+        std::fill_n(prior_.begin() + tempo.first, tempo.hops, prior);
+        const auto row = static_cast<std::ptrdiff_t>(i * tempi_.size());
+        const auto untold = untold_transition_.begin() + row;
+        std::transform(
+            untold,
+            untold + static_cast<std::ptrdiff_t>(tempi_.size()),
+            transition_.begin() + row,
+            [is_wrong](float value) { return value * (is_wrong ? kMistakenAtBeat : 1.0F); });
+    }
     const float total = std::accumulate(prior_.begin(), prior_.end(), 0.0F);
     for (float& value : prior_) {
         value /= total;
     }
-    for (const Tempo& from : tempi_) {
-        add_transitions(from);
-    }
 }
 
-// Log-normal tempo prior, spread evenly over the states of each tempo.
 void PointerStates::add_tempo(int hops, int parts) {
     tempi_.push_back({static_cast<int>(prior_.size()), hops, parts});
-    const double octaves = std::log2(hops_of(1.0) / hops / config_.centre_bpm) / config_.octaves;
-    const bool is_wrong = is_mistaken(hops_of(1.0) / hops, config_.told_bpm);
-    const float prior = static_cast<float>(std::exp(-0.5 * octaves * octaves) / hops) *
-                        static_cast<float>(parts == 3 ? config_.in_three : 1.0 - config_.in_three) *
-                        (is_wrong ? kMistakenAtFirst : 1.0F);
-    prior_.insert(prior_.end(), static_cast<std::size_t>(hops), prior);
+    prior_.insert(prior_.end(), static_cast<std::size_t>(hops), 0.0F);
     for (const float value : beat_template(hops, parts == 3 ? kInThree : kInTwo)) {
         template_.push_back(value);
     }
@@ -178,10 +197,8 @@ void PointerStates::add_transitions(const Tempo& from) {
         row.push_back(weight > kLeastTransition ? weight : 0.0);
     }
     const double sum = std::accumulate(row.begin(), row.end(), 0.0);
-    const bool is_wrong = is_mistaken(hops_of(1.0) / from.hops, config_.told_bpm);
     for (const double value : row) {
-        transition_.push_back(static_cast<float>(value / sum) *
-                              (is_wrong ? kMistakenAtBeat : 1.0F));
+        untold_transition_.push_back(static_cast<float>(value / sum));
     }
 }
 

@@ -61,7 +61,7 @@ struct EvidenceLikelihood {
 /// onset strength x template), with a template of zero mean: 1 on the beat, 0.35 on the half and
 /// 0.12 on the quarters, or 0.35 on the thirds; times what networks say of it.
 ///
-/// Immutable. Threads: any may read. Real-time: all but the constructor.
+/// Immutable but for expect_told(). Threads: any may read. Real-time: all but the constructor.
 class PointerStates {
  public:
     /// States of one tempo; they follow those of the tempo before.
@@ -77,6 +77,10 @@ class PointerStates {
 
     /// Lays out the states.
     explicit PointerStates(const BeatPointerConfig& config);
+
+    /// Changes BeatPointerConfig::told_bpm, as another song tells another tempo. No call of another
+    /// method may run meanwhile.
+    void expect_told(double bpm) noexcept RAKS_NONBLOCKING;
 
     /// Those of two parts from the fastest to the slowest, then those of three.
     [[nodiscard]] std::span<const Tempo> tempi() const noexcept { return tempi_; }
@@ -117,7 +121,9 @@ class PointerStates {
     std::vector<float> on_beat_;      // how near a state is to the beat: 1 on it
     std::vector<float> on_part_;      // the same for the middle between two beats, or its thirds
     std::size_t first_in_three_ = 0;  // the first state of beats of three parts
-    std::vector<float> transition_;   // tempo from x tempo to, row-major
+    // Tempo from x tempo to, row-major; and the same where no tempo is told.
+    std::vector<float> transition_;
+    std::vector<float> untold_transition_;
 };
 
 }  // namespace raks::audio

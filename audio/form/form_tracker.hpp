@@ -26,6 +26,8 @@ class FormTracker {
                  MusicState& state) noexcept RAKS_NONBLOCKING;
     /// One hop inside a gap of the audio: energy and part stay.
     void advance_lost(MusicState& state) const noexcept RAKS_NONBLOCKING;
+    /// See MusicAnalyzer::announce_pause().
+    void announce_pause() noexcept RAKS_NONBLOCKING { pauses_.announce(); }
     /// Forgets the stream.
     void reset() noexcept RAKS_NONBLOCKING;
     /// What was heard of the newest hop.

@@ -39,6 +39,7 @@ constexpr float kNearPlaying = 6.0F;
 // The shortest pause that is a stop, in hops: where the sound was cut; damped; where it faded, as
 // between two notes, which also takes such a share of a beat; and while the habits of the song are
 // not known.
+constexpr int kAnnouncedStopHops = 2;  // it is known to come
 constexpr int kCutStopHops = 8;
 constexpr int kDampedStopHops = 26;
 constexpr float kDampedStopBeats = 0.55F;
@@ -73,6 +74,9 @@ void PauseDetector::follow_level(float level) noexcept {
 // three times is a stop of its own, what it did more often is how it is played. A short gap needs
 // no others.
 int PauseDetector::hops_to_stop(HopIndex hop, int beat) const noexcept {
+    if (announced_hops_ > 0) {
+        return kAnnouncedStopHops;
+    }
     std::array<int, kHabitGaps> longest{};  // descending
     int habit = 0;
     const std::size_t count = std::min(gap_count_, kGaps);
@@ -172,6 +176,7 @@ MusicEvent PauseDetector::wait(HopIndex hop, float level) noexcept {
 
 MusicEvent PauseDetector::advance(HopIndex hop, float level, int beat) noexcept RAKS_NONBLOCKING {
     const MusicEvent event = is_stopped_ ? wait(hop, level) : listen(hop, level, beat);
+    announced_hops_ = std::max(announced_hops_ - 1, 0);
     // The noise before the music is not heard yet. In a gap the loudest is kept: it must not fall
     // to the noise in it.
     const bool is_in_gap = !is_stopped_ && quiet_hops_ > kHeldAfterHops;

@@ -19,6 +19,8 @@ class PauseDetector {
     /// The next hop: its level in dBFS, and how many hops a beat has. Returns what happened: stop,
     /// entry, end or none; the event's time is that of the first hop that was quiet, or sounded.
     MusicEvent advance(HopIndex hop, float level, int beat) noexcept RAKS_NONBLOCKING;
+    /// A stop is known to come: within the next second 20 ms of quiet are one.
+    void announce() noexcept RAKS_NONBLOCKING { announced_hops_ = kAnnouncedFor; }
     /// Whether nothing sounds; also before the first sound.
     [[nodiscard]] bool is_stopped() const noexcept { return is_stopped_; }
     /// Whether this hop is quiet: a stop, or a gap that may become one.
@@ -28,6 +30,7 @@ class PauseDetector {
 
  private:
     static constexpr std::size_t kGaps = 16;
+    static constexpr int kAnnouncedFor = 100;  // hops
 
     // A pause within the music.
     struct Gap {
@@ -55,6 +58,7 @@ class PauseDetector {
     std::array<float, 10> before_{};  // levels of the last hops that sounded, the newest last
     int loud_hops_ = 0;               // in a row, of a stop
     int heard_hops_ = 0;              // that sounded since the last long stop; saturates
+    int announced_hops_ = 0;          // for which a stop is known to come
     std::array<Gap, kGaps> gaps_{};   // ring
     std::size_t gap_count_ = 0;
 };

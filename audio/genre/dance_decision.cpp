@@ -34,7 +34,15 @@ DanceDecision::DanceDecision(std::size_t classes,
     reset();
 }
 
+void DanceDecision::expect(const GenreLogProbabilities& prior) noexcept RAKS_NONBLOCKING {
+    prior_ = prior;
+    if (!has_heard_) {
+        reset();
+    }
+}
+
 void DanceDecision::reset() noexcept RAKS_NONBLOCKING {
+    has_heard_ = false;
     // "None of them" with probability 1 until music is known.
     log_chances_.fill(kRuledOut);
     log_chances_[classes_ - 1] = 0.0F;
@@ -59,6 +67,7 @@ std::size_t DanceDecision::best() const noexcept {
 std::size_t DanceDecision::weigh(const Values& heard,
                                  std::int64_t heard_hops,
                                  const BeatGrid& grid) noexcept {
+    has_heard_ = true;
     log_chances_ = heard;
     heard_ = best();
     add_prior(heard_hops, grid);

@@ -49,6 +49,8 @@ class DanceDecision {
                   const GenreLogProbabilities& prior,
                   const DecisionRules& rules = {}) noexcept;
 
+    /// Another prior from the next advance() on; where nothing was heard yet, at once.
+    void expect(const GenreLogProbabilities& prior) noexcept RAKS_NONBLOCKING;
     /// Nothing is heard yet: the prior decides, or "none of them".
     void reset() noexcept RAKS_NONBLOCKING;
     /// Takes ln probabilities of what was heard. `heard_hops`: hops of music that they are from,
@@ -84,6 +86,7 @@ class DanceDecision {
     ClassBars bars_;
     GenreLogProbabilities prior_;
     DecisionRules rules_;
+    bool has_heard_ = false;  // since reset()
     Values log_chances_{};
     std::size_t shown_ = 0;
     std::size_t challenger_ = 0;  // class that leads

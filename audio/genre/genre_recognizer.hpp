@@ -73,6 +73,11 @@ class GenreRecognizer {
                  MusicState& state) noexcept RAKS_NONBLOCKING;
     /// For a hop without sound: writes the genre fields as they were.
     void advance_blind(MusicState& state) const noexcept RAKS_NONBLOCKING;
+    /// From now on this is known of the music beforehand: GenreSettings::prior. What was heard
+    /// stays.
+    void expect(const GenreLogProbabilities& prior) noexcept RAKS_NONBLOCKING {
+        decision_.expect(prior);
+    }
     /// Forgets the music; the decision is "none of them".
     void reset() noexcept RAKS_NONBLOCKING;
 

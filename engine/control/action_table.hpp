@@ -72,11 +72,12 @@ enum class Action : std::uint8_t {
     toggle_on_top,
     screenshot,
     record,
+    learn_midi,
     toggle_help,
     quit,
 };
 /// Number of actions; the table must have exactly as many rows.
-inline constexpr std::size_t kActionCount = 49;
+inline constexpr std::size_t kActionCount = 50;
 
 /// One request, as every input (key, remote control, MIDI controller) produces it.
 struct ActionRequest {

@@ -1,5 +1,6 @@
 #include "engine/import/assimp_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <new>
@@ -14,6 +15,7 @@
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
+#include <fmt/format.h>
 #include <assimp/Importer.hpp>
 
 namespace raks::engine {
@@ -36,13 +38,32 @@ void configure(Assimp::Importer& importer) {
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
 }
 
-std::string why(const Assimp::Importer& importer) {
+/// Whether assimp says that a file contradicts itself, not that assimp does not know how to read
+/// it.
+bool is_damage(std::string_view line) {
+    constexpr std::array kSigns = {"out of range", "orrupted", "nvalid read size", "nflate"};
+    return std::any_of(kSigns.begin(), kSigns.end(), [&](const char* sign) {
+        return line.find(sign) != std::string_view::npos;
+    });
+}
+
+/// The line for people where assimp refuses a file that mended_text has found good.
+std::string why(const Assimp::Importer& importer, ForeignFormat format) {
     const std::string line = printable(importer.GetErrorString(), 200);
     // Assimp catches it and gives its name; who set the limit has words for it.
     if (line == std::bad_alloc().what()) {
         throw std::bad_alloc();
     }
-    return line.empty() ? "it cannot be read" : "it cannot be read: " + line;
+    if (line.empty()) {
+        return "it cannot be read";
+    }
+    // Of an FBX it is known that nothing is cut off.
+    return format == ForeignFormat::fbx && !is_damage(line)
+               ? fmt::format(
+                     "the file is whole, but assimp, which reads it for raks, cannot ({}): save it "
+                     "as GLB, in Blender for example",
+                     line)
+               : fmt::format("it cannot be read: {}", line);
 }
 
 bool has_skeleton(const render::Model& model) {
@@ -70,9 +91,9 @@ Expected<render::Model> read_with_assimp(ForeignFormat format,
     importer.SetIOHandler(std::make_unique<MemoryFiles>(name, *text, ways).release());
     const aiScene* const scene = importer.ReadFile(name, kSteps);
     if (scene == nullptr || scene->mRootNode == nullptr) {
-        return fail(why(importer));
+        return fail(why(importer, format));
     }
-    SceneImport import{*scene, ways};
+    SceneImport import{*scene, ways, format == ForeignFormat::fbx};
     if (auto done = import_nodes(import); !done) {
         return fail(done.error());
     }

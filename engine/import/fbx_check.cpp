@@ -11,7 +11,7 @@ namespace raks::engine {
 namespace {
 
 constexpr std::size_t kDeepestRecord = 64;
-constexpr std::uint32_t kOldest = 6100;
+constexpr std::uint32_t kOldest = 7100;  // of 2011; assimp reads none before
 constexpr std::uint32_t kNewest = 7900;
 
 tl::unexpected<Error> damaged(std::size_t offset, const char* what) {
@@ -118,8 +118,11 @@ Expected<void> check_fbx(std::string_view bytes) {
         }
         const std::uint32_t version = fbx_version(bytes);
         if (version < kOldest || version > kNewest) {
-            return fail(
-                fmt::format("FBX version {}: {} to {} are read", version, kOldest, kNewest));
+            return fail(fmt::format(
+                "FBX version {}: {} to {} are read; save it as GLB, in Blender for example",
+                version,
+                kOldest,
+                kNewest));
         }
         return RecordWalk(bytes).run();
     }

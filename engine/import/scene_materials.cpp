@@ -85,17 +85,18 @@ class MaterialImport {
     }
 
     /// Linear.
-    static glm::vec3 colour_of(const aiMaterial& source,
-                               const char* key,
-                               unsigned type,
-                               unsigned index,
-                               const glm::vec3& otherwise) {
+    glm::vec3 colour_of(const aiMaterial& source,
+                        const char* key,
+                        unsigned type,
+                        unsigned index,
+                        const glm::vec3& otherwise) const {
         aiColor3D colour;
         if (source.Get(key, type, index, colour) != aiReturn_SUCCESS) {
             return otherwise;
         }
-        const auto part = [](float x) {
-            return x > 0.0F ? render::linear_from_srgb(std::min(x, 1.0F)) : 0.0F;
+        const auto part = [&](float x) {
+            const float one = x > 0.0F ? std::min(x, 1.0F) : 0.0F;
+            return import_.has_linear_colours ? one : render::linear_from_srgb(one);
         };
         return {part(colour.r), part(colour.g), part(colour.b)};
     }

@@ -20,6 +20,8 @@ namespace raks::engine {
 struct SceneImport {
     const aiScene& scene;
     const ImportWays& ways;
+    /// Whether colours are linear, as FBX has them; else they are as screens show them (sRGB).
+    bool has_linear_colours = false;
     render::Model model{};
     /// Nodes of the model by the name that the scene gives them, which several may share.
     std::multimap<std::string, int, std::less<>> nodes{};

@@ -44,6 +44,7 @@ void AnalysisStage::analyze(std::span<const float> mono) noexcept RAKS_NONBLOCKI
     // Subnormal numbers, which filters produce in silence, are slow on the processor.
     const FlushToZeroScope flush_to_zero;
     // Commands first, so that one which is due takes effect within this block.
+    take_news();
     run_commands();
     analyzer_.process(mono, queue_);
     const float seconds = static_cast<float>(mono.size()) / static_cast<float>(rate_.hertz());
@@ -122,6 +123,28 @@ Expected<void> AnalysisStage::change_rate(SampleRate rate) {
 
 StreamTime AnalysisStage::taken_until() const noexcept RAKS_NONBLOCKING {
     return rate_.time_of(frames_taken_.load(std::memory_order_acquire));  // see analyze()
+}
+
+void AnalysisStage::take_news() noexcept {
+    // At most as many as the queue holds: bounded, as the audio thread needs.
+    SongNews news{};
+    while (news_.pop(news)) {
+        switch (news.kind) {
+            case SongNews::Kind::told:
+                analyzer_.tell(news.song);
+                break;
+            case SongNews::Kind::begins:
+                analyzer_.tell(news.song);
+                analyzer_.begin_song();
+                break;
+            case SongNews::Kind::jump:
+                analyzer_.skip(Nanos(0));
+                break;
+            case SongNews::Kind::pause:
+                analyzer_.announce_pause();
+                break;
+        }
+    }
 }
 
 void AnalysisStage::run_commands() noexcept {

@@ -22,6 +22,20 @@
 
 namespace raks::engine {
 
+/// What is known of the song beside its sound, from who plays it. Each holds from the next block
+/// on.
+struct SongNews {
+    /// What has happened.
+    enum class Kind : std::uint8_t {
+        told,    ///< `song` is known of what plays: MusicAnalyzer::tell()
+        begins,  ///< another song begins, of which `song` is known: MusicAnalyzer::begin_song()
+        jump,    ///< the same song goes on elsewhere: MusicAnalyzer::skip() with 0
+        pause,   ///< MusicAnalyzer::announce_pause()
+    };
+    Kind kind = Kind::told;  ///< see Kind
+    audio::ToldSong song{};  ///< of `told` and `begins`
+};
+
 /// The work of every audio callback, whatever device or clock calls it: analyzes the samples, hands
 /// the music states to the motion thread and keeps the clock that relates stream time to host time.
 ///
@@ -70,6 +84,9 @@ class AnalysisStage {
 
     /// Queues a command for the analyzer; false when the queue is full.
     bool command(const audio::AnalyzerCommand& command) noexcept { return commands_.push(command); }
+
+    /// Queues what is known of the song; false when the queue is full.
+    bool tell(const SongNews& news) noexcept { return news_.push(news); }
 
     /// The clock as of the newest block. Threads: main only (one reader).
     [[nodiscard]] const ClockLine& clock() noexcept { return clock_line_.read(); }
@@ -120,6 +137,7 @@ class AnalysisStage {
 
     AnalysisStage(SampleRate rate, audio::MusicAnalyzer analyzer);
     void run_commands() noexcept;
+    void take_news() noexcept;
     void publish_clock() noexcept;
 
     SampleRate rate_;
@@ -129,6 +147,7 @@ class AnalysisStage {
     PlannedStates planned_;
     Queue queue_{states_, planned_};
     EventQueue<audio::AnalyzerCommand> commands_{64};
+    EventQueue<SongNews> news_{16};
     ClockMap clock_map_;
     LatestValue<ClockLine> clock_line_;
     std::shared_ptr<MusicFeed> feed_ = std::make_shared<MusicFeed>();

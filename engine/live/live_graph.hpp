@@ -148,6 +148,10 @@ class LiveGraph {
     [[nodiscard]] bool command(audio::AnalyzerCommand::Kind kind,
                                double value = 0.0,
                                HostTime came = HostClock::now()) noexcept;
+    /// Queues what is known of the song that an input hears. False: the queue is full.
+    bool tell(const SongNews& news) noexcept { return analysis_->tell(news); }
+    /// Whether an input is heard, and no file is played.
+    [[nodiscard]] bool is_input() const noexcept { return live_input_ != nullptr; }
     /// Whether somebody dances.
     [[nodiscard]] bool has_dancers() const noexcept { return motion_ != nullptr; }
     /// The same for the dancers, dated when it is called; false, too, where nobody dances.

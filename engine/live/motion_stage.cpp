@@ -18,16 +18,6 @@ FeedFigure figure_of(const motion::DancerStatus& dancer) noexcept {
 
 }  // namespace
 
-void StageState::copy_used(const StageState& from) noexcept {
-    std::copy_n(from.tracks.begin(), from.dancers, tracks.begin());
-    dancers = from.dancers;
-    places = from.places;
-    music = from.music;
-    dancer = from.dancer;
-    published_at_ns = from.published_at_ns;
-    recent = from.recent;
-}
-
 MotionStage::MotionStage(motion::Ensemble dancers, Wiring wiring)
     : dancers_(std::make_unique<motion::Ensemble>(std::move(dancers))),
       wiring_(std::move(wiring)),
@@ -49,6 +39,9 @@ void MotionStage::take_places() noexcept {
 void MotionStage::publish() noexcept {
     for (StageChannel* const reader : wiring_.readers) {
         reader->write_with([this](StageState& slot) { slot.copy_used(*stage_); });
+    }
+    if (wiring_.feed != nullptr) {
+        wiring_.feed->show(*stage_);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 
 #include "base/channels/event_queue.hpp"
 #include "base/channels/latest_value.hpp"
@@ -11,6 +12,7 @@
 #include "base/realtime.hpp"
 #include "base/time.hpp"
 #include "engine/live/clock_map.hpp"
+#include "engine/live/stage_state.hpp"
 
 namespace raks::engine {
 
@@ -44,7 +46,8 @@ struct FeedHop {
 };
 
 /// What one piece of music says, hop by hop, and when that is heard, for one reader on a thread of
-/// its own. A reader of beats has all it needs here and costs no copy of a pose.
+/// its own. A reader of beats has all it needs here and costs no copy of a pose; one of poses asks
+/// for the stage.
 ///
 /// Without dancers the audio thread tells the hops.
 ///
@@ -64,12 +67,37 @@ class MusicFeed {
         heard_after_ns_.store(span.count(), std::memory_order_relaxed);  // a number by itself
     }
 
+    /// *main* From now on the stage is shown, too: the motion thread copies it (70 kB a dancer) at
+    /// each wake-up. Real-time: no (allocates, the first time).
+    void ask_for_stage() {
+        if (!stages_) {
+            stages_ = std::make_unique<StageChannel>();
+            // release: pairs with the acquires in show() and stage(), which see the whole channel.
+            asked_.store(stages_.get(), std::memory_order_release);
+        }
+    }
+    /// *motion* The stage as of this wake-up; nothing happens where nobody asked for it.
+    void show(const StageState& stage) noexcept RAKS_NONBLOCKING {
+        // acquire: see ask_for_stage()
+        if (StageChannel* const channel = asked_.load(std::memory_order_acquire)) {
+            channel->write_with([&stage](StageState& slot) { slot.copy_used(stage); });
+        }
+    }
+
     /// *reader* The next hop; false: none waits.
     [[nodiscard]] bool take(FeedHop& hop) noexcept RAKS_NONBLOCKING { return hops_.pop(hop); }
     /// *reader* When it is heard, as far as is known now.
     [[nodiscard]] HeardLine heard_line() noexcept RAKS_NONBLOCKING {
         // relaxed: see set_heard_after()
         return {clock_.read(), Nanos(heard_after_ns_.load(std::memory_order_relaxed))};
+    }
+    /// *reader* The newest stage, which holds until the next call; null: nobody has danced since it
+    /// was asked for.
+    [[nodiscard]] const StageState* stage() noexcept RAKS_NONBLOCKING {
+        // acquire: see ask_for_stage()
+        StageChannel* const channel = asked_.load(std::memory_order_acquire);
+        const StageState* const newest = channel != nullptr ? &channel->read() : nullptr;
+        return newest != nullptr && newest->published_at_ns != 0 ? newest : nullptr;
     }
     /// Hops that the reader was too slow for, so far. Threads: any.
     [[nodiscard]] std::uint64_t dropped() const noexcept { return hops_.dropped(); }
@@ -78,6 +106,8 @@ class MusicFeed {
     EventQueue<FeedHop> hops_{kRoom};
     LatestValue<ClockLine> clock_;
     std::atomic<std::int64_t> heard_after_ns_{0};
+    std::unique_ptr<StageChannel> stages_;  // main's; null: nobody asked
+    std::atomic<StageChannel*> asked_{nullptr};
 };
 
 }  // namespace raks::engine

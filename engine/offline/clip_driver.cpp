@@ -8,7 +8,7 @@ namespace raks::engine {
 
 void ClipDriver::Performer::on_state(const MusicState& state) noexcept {
     newest = state.time;
-    track_.append_final(state.hop, pose_at_(to_seconds(state.time)));
+    track_.append_final(state.hop, pose_at_(state));
     constexpr motion::DancerStatus kNobodyDances{};
     sink->on_hop({state, track_, std::span(&track_, 1), kNobodyDances});
 }

@@ -18,8 +18,9 @@ namespace raks::engine {
 /// analyzed as it comes, or without. Threads: one. Real-time: no.
 class ClipDriver {
  public:
-    /// The pose at seconds of the stream.
-    using PoseAt = std::function<motion::Pose(double)>;
+    /// The pose at a hop; called for each in order, in silence with a state that has only its hop
+    /// and time.
+    using PoseAt = std::function<motion::Pose(const MusicState& state)>;
 
     /// Without music: for perform().
     explicit ClipDriver(PoseAt pose_at) : performer_(std::move(pose_at)) {}

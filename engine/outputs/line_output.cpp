@@ -49,15 +49,11 @@ class LineOutput final : public Output {
         if (moment.notice.kind == Notice::Kind::accent || !moment.notice.is_paced) {
             return;
         }
-        // The rest of a line that was begun comes first: lines are whole, or missing.
-        flush();
-        if (!waiting_.empty() || has_ended_) {
-            count_dropped();
-            return;
-        }
-        waiting_ = line_of(moment);
-        flush();
-        has_ended_ ? count_dropped() : count_sent();
+        say(line_of(moment));
+    }
+
+    void name_song(const SongName& song) override {
+        say(Json({{"do", "now"}, {"title", song.title}, {"artist", song.artist}}).text() + "\n");
     }
 
     std::optional<std::string> take_trouble() override {
@@ -65,6 +61,18 @@ class LineOutput final : public Output {
     }
 
  private:
+    // The rest of a line that was begun comes first: lines are whole, or missing.
+    void say(std::string line) {
+        flush();
+        if (!waiting_.empty() || has_ended_) {
+            count_dropped();
+            return;
+        }
+        waiting_ = std::move(line);
+        flush();
+        has_ended_ ? count_dropped() : count_sent();
+    }
+
     // As another process may share what is open, it stays a blocking one: asked before each write.
     [[nodiscard]] bool takes_more() const {
         pollfd state{file_.number, POLLOUT, 0};

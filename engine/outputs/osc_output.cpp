@@ -127,6 +127,10 @@ class RaksOsc final : public OscOutput {
         }
     }
 
+    void name_song(const SongName& song) override {
+        send("/now", song.title.c_str(), song.artist.c_str());
+    }
+
     void turn(const OutputTurn& turn) override {
         OscOutput::turn(turn);
         if (paced_ && newest_ && paced_->take(turn.now) && turn.line) {

@@ -35,7 +35,7 @@ class OscPacket {
     template <typename... Arguments>
     void add(const std::string& address, Arguments... arguments) {
         stream_ << osc::BeginMessage(address.c_str());
-        (stream_ << ... << arguments);
+        (static_cast<void>(stream_ << arguments), ...);
         stream_ << osc::EndMessage;
         ++messages_;
     }

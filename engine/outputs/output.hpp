@@ -7,13 +7,20 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
 #include "base/time.hpp"
 #include "engine/live/music_feed.hpp"
+#include "engine/live/stage_state.hpp"
 #include "engine/outputs/beat_schedule.hpp"
 #include "engine/outputs/output_target.hpp"
+#include "engine/show/dancer_face.hpp"
+
+namespace raks::render {
+struct Avatar;
+}
 
 namespace raks::engine {
 
@@ -30,12 +37,36 @@ struct OutputHop {
     const DanceList& dances;   ///< whose ids both have
 };
 
+/// What the dancers look like, for targets that are told of poses.
+struct OutputLook {
+    /// Worn in turn: dancer k wears avatar k modulo their number; none: the mannequin.
+    std::vector<std::shared_ptr<const render::Avatar>> avatars;
+    FaceHabits face;  ///< how faces behave
+
+    friend bool operator==(const OutputLook&, const OutputLook&) = default;
+};
+
+/// Who dances, for the same.
+struct OutputDancers {
+    const StageState& stage;  ///< the newest
+    const OutputLook& look;   ///< as it is worn now
+};
+
+/// What somebody plays, in one line each; both empty: nothing that is known.
+struct SongName {
+    std::string title;
+    std::string artist;
+    friend bool operator==(const SongName&, const SongName&) = default;
+};
+
 /// A look of the outputs' thread at one target.
 struct OutputTurn {
     HostTime now{};                      ///< as CLOCK_MONOTONIC has it
     std::optional<HeardLine> line = {};  ///< nothing: no music is followed
     /// When the target is told the next beat, as far as is known.
     std::optional<HostTime> next_beat = {};
+    /// Of a target that wants poses; nothing: nobody has danced yet.
+    std::optional<OutputDancers> dancers = {};
 };
 
 /// How a target stands.
@@ -63,8 +94,12 @@ class Output {
     virtual void tell(const OutputMoment& moment) = 0;
     /// Each hop, in order, when it is heard; before the moments that are due then.
     virtual void hear(const OutputHop& /*hop*/) {}
+    /// Another song plays now, as its player says.
+    virtual void name_song(const SongName& /*song*/) {}
     /// Connects, sends what waits; every 5 ms or oftener, also where nothing is heard.
     virtual void turn(const OutputTurn& /*turn*/) {}
+    /// Whether its turns must know who dances.
+    [[nodiscard]] virtual bool wants_poses() const { return false; }
     /// When a turn is wanted to the point; nothing: whenever it comes.
     [[nodiscard]] virtual std::optional<HostTime> due() const { return std::nullopt; }
     /// A line for the person where it has failed since the last call.
@@ -101,6 +136,7 @@ struct OutputKind {
     Expected<void> (*check)(const std::string& target);
     /// Opens it. Errors: the target is none, or cannot be opened.
     Expected<std::unique_ptr<Output>> (*open)(const std::string& target);
+    bool needs_dancers = false;  ///< it tells of poses
 };
 
 /// Outputs of one kind, at most.

@@ -1,9 +1,11 @@
 #include <array>
 
 #include "engine/outputs/line_output.hpp"
+#include "engine/outputs/midi_clock_output.hpp"
 #include "engine/outputs/os2l_output.hpp"
 #include "engine/outputs/osc_output.hpp"
 #include "engine/outputs/output.hpp"
+#include "engine/outputs/vmc_output.hpp"
 #include "engine/outputs/wled_output.hpp"
 
 namespace raks::engine {
@@ -34,6 +36,19 @@ constexpr std::array kKinds = std::to_array<OutputKind>({
      true,
      check_wled,
      open_wled},
+    {"vmc",
+     "HOST",
+     "pose and face to VTuber programs by VMC; also HOST:39539,dancer=2,...",
+     true,
+     check_vmc,
+     open_vmc,
+     true},
+    {"midi-clock",
+     "NAME",
+     "a MIDI clock to the port whose name holds NAME; also NAME,lead=30,...",
+     true,
+     check_midi_clock,
+     open_midi_clock},
 });
 
 }  // namespace

@@ -150,8 +150,12 @@ std::size_t TargetReader::word(std::string_view key, std::span<const std::string
     return static_cast<std::size_t>(found - words.begin());
 }
 
+Nanos TargetReader::lead() {
+    return nanos_from_seconds(number("lead", 0.0, kLeastLead, kMostLead) * 1e-3);
+}
+
 OutputTiming TargetReader::timing() {
-    const double lead = number("lead", 0.0, kLeastLead, kMostLead);
+    const Nanos before = lead();
     const std::string factor = text("factor").value_or("1");
     auto pace = BeatSchedule::Pace::same;
     if (const auto value = number_of(factor); value == 0.5) {
@@ -161,7 +165,7 @@ OutputTiming TargetReader::timing() {
     } else if (value != 1.0) {
         complain(fmt::format("factor={} must be 0.5, 1 or 2", printable(factor)));
     }
-    return {nanos_from_seconds(lead * 1e-3), pace};
+    return {before, pace};
 }
 
 Expected<void> TargetReader::finish() {

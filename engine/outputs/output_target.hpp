@@ -50,6 +50,8 @@ class TargetReader {
     [[nodiscard]] HostPort host_port(std::optional<std::uint16_t> usual_port);
     /// `lead=` (-500 to 90 ms) and `factor=` (0.5, 1 or 2).
     [[nodiscard]] OutputTiming timing();
+    /// `lead=` alone, of a target that is told no beats.
+    [[nodiscard]] Nanos lead();
     /// A number within bounds, or `without`.
     [[nodiscard]] double number(std::string_view key, double without, double low, double high);
     /// One of `words`, by its place among them; 0 where it is not given.

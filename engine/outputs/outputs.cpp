@@ -69,9 +69,32 @@ Outputs::~Outputs() {
 }
 
 void Outputs::follow(std::shared_ptr<MusicFeed> feed, std::shared_ptr<const DanceList> dances) {
+    if (want_poses()) {
+        feed->ask_for_stage();
+    }
     const std::lock_guard lock(mutex_);
     next_feed_ = std::move(feed);
     next_dances_ = std::move(dances);
+}
+
+bool Outputs::want_poses() const noexcept {
+    return std::any_of(outputs_.begin(), outputs_.end(), [](const Open& open) {
+        return open.output->wants_poses();
+    });
+}
+
+void Outputs::wear(const OutputLook& look) {
+    if (look == worn_) {
+        return;
+    }
+    worn_ = look;
+    const std::lock_guard lock(mutex_);
+    next_look_ = look;
+}
+
+void Outputs::name_song(const SongName& song) {
+    const std::lock_guard lock(mutex_);
+    song_ = song;
 }
 
 std::vector<std::string> Outputs::take_lines() {
@@ -115,11 +138,13 @@ void Outputs::run() noexcept {
 
 void Outputs::turn(HostTime now) {
     take_feed(now);
+    take_look();
     if (feed_) {
         while (feed_->take(hops_[taken_ % kKeptHops])) {
             ++taken_;
         }
         line_ = feed_->heard_line();
+        stage_ = feed_->stage();
     }
     for (Open& open : outputs_) {
         serve(open, now);
@@ -145,16 +170,39 @@ void Outputs::take_feed(HostTime now) {
     }
 }
 
+void Outputs::take_look() {
+    const std::lock_guard lock(mutex_);
+    if (next_look_) {
+        look_ = std::exchange(next_look_, std::nullopt);
+    }
+}
+
 void Outputs::serve(Open& open, HostTime now) {
     if (line_) {
         tell_music(open, line_->heard_by(now + open.output->timing().lead));
     }
-    open.output->turn({now, line_, told_at(open, open.schedule.next_beat_time())});
+    tell_name(open);
+    OutputTurn turn{now, line_, told_at(open, open.schedule.next_beat_time())};
+    if (stage_ != nullptr && look_ && open.output->wants_poses()) {
+        turn.dancers.emplace(OutputDancers{*stage_, *look_});
+    }
+    open.output->turn(turn);
     if (auto trouble = open.output->take_trouble()) {
         const std::lock_guard lock(mutex_);
         open.trouble = *trouble;
         lines_.push_back(fmt::format("--{} {}", open.kind->option, *trouble));
     }
+}
+
+void Outputs::tell_name(Open& open) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (open.named == song_) {
+            return;
+        }
+        open.named = song_;
+    }
+    open.output->name_song(open.named);
 }
 
 // Everything up to `heard`, in the order of an output's contract.

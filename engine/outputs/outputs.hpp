@@ -44,6 +44,13 @@ class Outputs {
     /// From now on this music is told of, in place of any before; what was heard more than a second
     /// ago is passed over. The feed may lose its writers at any time. `dances`: whose ids it has.
     void follow(std::shared_ptr<MusicFeed> feed, std::shared_ptr<const DanceList> dances);
+    /// What the dancers look like from now on; nobody is told of poses before the first call. It
+    /// costs nothing where they do already.
+    void wear(const OutputLook& look);
+    /// Whether a target is told of poses, so that wear() says something.
+    [[nodiscard]] bool want_poses() const noexcept;
+    /// What plays is called so: told where it is another name than before.
+    void name_song(const SongName& song);
     /// Lines for the person about outputs that failed since the last call.
     [[nodiscard]] std::vector<std::string> take_lines();
     /// What was lost so far, in words, one line an output that lost anything.
@@ -64,12 +71,15 @@ class Outputs {
         BeatSchedule schedule = {};
         std::uint64_t scheduled = 0;  // hops that the schedule has taken
         std::uint64_t heard = 0;      // hops that the output was told
+        SongName named = {};          // what it was told of the song
     };
     explicit Outputs(std::vector<Open> outputs);
     void run() noexcept;
     void turn(HostTime now);
     void take_feed(HostTime now);
+    void take_look();
     void serve(Open& open, HostTime now);
+    void tell_name(Open& open);
     void tell_music(Open& open, StreamTime heard);
     [[nodiscard]] const FeedHop* hop_at(std::uint64_t& number) const;
     [[nodiscard]] std::optional<HostTime> told_at(const Open& open,
@@ -77,17 +87,22 @@ class Outputs {
     [[nodiscard]] HostTime next_turn(HostTime now) const;
 
     std::vector<Open> outputs_;
-    mutable std::mutex mutex_;  // of the three below, and of Open::trouble
+    std::optional<OutputLook> worn_;  // main's: as wear() was told last
+    mutable std::mutex mutex_;        // of the five below, and of Open::trouble
+    std::optional<OutputLook> next_look_;
     std::shared_ptr<MusicFeed> next_feed_;
     std::shared_ptr<const DanceList> next_dances_;
     std::vector<std::string> lines_;
+    SongName song_;
     std::atomic<bool> is_stopping_{false};
     // Of the thread.
     std::shared_ptr<MusicFeed> feed_;
     std::shared_ptr<const DanceList> dances_;
-    std::optional<HeardLine> line_;  // of feed_, as of this turn
-    std::vector<FeedHop> hops_;      // ring
-    std::uint64_t taken_ = 0;        // hops of feed_
+    std::optional<OutputLook> look_;
+    std::optional<HeardLine> line_;      // of feed_, as of this turn
+    const StageState* stage_ = nullptr;  // likewise
+    std::vector<FeedHop> hops_;          // ring
+    std::uint64_t taken_ = 0;            // hops of feed_
     std::thread thread_;
 };
 

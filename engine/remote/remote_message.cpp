@@ -158,6 +158,10 @@ std::string remote_text(const RemoteState& state) {
                  {"camera", state.camera},
                  {"theme", state.theme},
                  {"avatar", state.avatar}};
+    text["playing"] = {{"player", state.song.player},
+                       {"title", state.song.title},
+                       {"artist", state.song.artist},
+                       {"playing", state.song.is_playing}};
     text["beats"] = std::move(beats);
     text["targets"] = std::move(targets);
     return text.text();

@@ -49,10 +49,18 @@ struct RemoteTarget {
     std::uint64_t dropped = 0;  ///< messages that were lost
     std::string trouble{};      ///< empty: none
 };
+/// What a player says that it plays.
+struct RemoteSong {
+    std::string player{};     ///< "mpv"; empty: none is known
+    std::string title{};      ///< of the song
+    std::string artist{};     ///< likewise
+    bool is_playing = false;  ///< false: it stands
+};
 /// What is heard, danced and seen.
 struct RemoteState {
     HostTime now{};                       ///< when it was so
     std::string source{};                 ///< file, or device
+    RemoteSong song{};                    ///< what a player says
     double bpm = 0.0;                     ///< of the music
     float confidence = 0.0F;              ///< of the beat, [0, 1]
     bool is_locked = false;               ///< beats are told

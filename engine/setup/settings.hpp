@@ -45,14 +45,15 @@ struct Settings {
     // [picture]
     /// What dancers wear in turn: "mannequin", a file, or a name in the person's folder of avatars.
     std::vector<std::string> avatars = {"mannequin"};
-    double avatar_height = 0.0;        ///< metres; 0: its own; [0, 10]
-    std::string avatar_labels;         ///< file that says which nodes are its bones; empty: none
-    std::string theme = "stage";       ///< a name, or a file X.toml
-    std::string backdrop = "stage";    ///< stage, transparent, or a key colour: #RRGGBB
-    bool shadow = true;                ///< dancers throw one on the floor
-    bool rings = true;                 ///< rings of light on the floor show the beat
-    std::string dress = "auto";        ///< of the mannequin: auto, mannequin or a costume
-    std::string camera = "director";   ///< or a preset: wide, portrait, front or side
+    double avatar_height = 0.0;  ///< metres; 0: its own; [0, 10]
+    std::string avatar_labels;   ///< file that says which nodes are its bones; empty: none
+    std::int64_t avatar_pictures_mb = 128;  ///< memory of the pictures on it; [1, 4096]
+    std::string theme = "stage";            ///< a name, or a file X.toml
+    std::string backdrop = "stage";         ///< stage, transparent, or a key colour: #RRGGBB
+    bool shadow = true;                     ///< dancers throw one on the floor
+    bool rings = true;                      ///< rings of light on the floor show the beat
+    std::string dress = "auto";             ///< of the mannequin: auto, mannequin or a costume
+    std::string camera = "director";        ///< or a preset: wide, portrait, front or side
     bool calm = false;                 ///< fewer cuts; light changes slowly, little, with no accent
     std::string size = "1280x720";     ///< WIDTHxHEIGHT
     double fps = 30.0;                 ///< pictures a second, [1, 240]; 0: the monitor's

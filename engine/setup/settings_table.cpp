@@ -129,7 +129,7 @@ const std::array kRows = std::to_array<SettingRow>({
      .name = "ignore_tags",
      .field = &Settings::ignore_tags,
      .help = "the dance follows what is heard alone, and not what the file says of itself",
-     .option = {"--ignore-tags", kPlay | kRender | kDance},
+     .option = {"--ignore-tags", kShows | kDance},
      .manual = "the dance follows what is heard alone, and not what the file says of itself "
                "([files.md](files.md)); also an option of `raks analyze`"},
     {.section = "dance",
@@ -170,6 +170,15 @@ const std::array kRows = std::to_array<SettingRow>({
      .option = {"--labels", kShows | kDance | kSheet},
      .manual =
          "[file](files.md) that says which nodes are the avatar's bones; empty: they are found"},
+    {.section = "picture",
+     .name = "avatar_pictures_mb",
+     .field = &Settings::avatar_pictures_mb,
+     .range = {1, 4096},
+     .help =
+         "MB of memory that the pictures on an avatar may take; beyond it the largest are halved",
+     .manual = "MB of memory that the pictures on an avatar may take, with the smaller copies that "
+               "are drawn from afar; beyond it the largest are drawn half as wide and high, and so "
+               "on, which is said"},
     {.section = "picture",
      .name = "theme",
      .field = &Settings::theme,

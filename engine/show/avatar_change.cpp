@@ -9,19 +9,6 @@
 namespace raks::engine {
 namespace {
 
-/// A body that the dancers wear; none: they do not.
-std::optional<DancerBodies::Worn> find_worn(const std::shared_ptr<const render::Avatar>& body,
-                                            const Drawing& drawing) {
-    for (const DancerBodies::Builds& builds : drawing.bodies.wardrobe()) {
-        for (const DancerBodies::Worn& worn : builds) {
-            if (worn.avatar == body) {
-                return worn;
-            }
-        }
-    }
-    return std::nullopt;
-}
-
 bool is_worn(render::AvatarHandle handle, const Drawing& drawing) {
     const auto worn = handles_of(drawing.bodies.wardrobe());
     return std::any_of(worn.begin(), worn.end(), [handle](render::AvatarHandle one) {
@@ -57,8 +44,10 @@ void AvatarChange::begin(Drawing& drawing) {
     if (!asked_.empty()) {
         give_up(drawing);
         is_dress_asked_ = false;
+        const AvatarOptions options{
+            .height = {}, .labels = {}, .costume = costume_, .most_image_bytes = most_image_bytes_};
         loading_ =
-            std::async(std::launch::async, load, std::exchange(asked_, {}), costume_, quality);
+            std::async(std::launch::async, load, std::exchange(asked_, {}), options, quality);
     } else if (is_dress_asked_ && !arriving_) {
         is_dress_asked_ = false;
         const bool has_mannequin = std::any_of(
@@ -70,9 +59,9 @@ void AvatarChange::begin(Drawing& drawing) {
 }
 
 Expected<AvatarChange::Arrival> AvatarChange::load(const std::vector<std::string>& names,
-                                                   render::Costume costume,
+                                                   const AvatarOptions& options,
                                                    render::Quality quality) {
-    auto loaded = load_avatars(names, {.height = {}, .labels = {}, .costume = costume});
+    auto loaded = load_avatars(names, options);
     if (!loaded) {
         return fail(std::move(loaded.error()));
     }
@@ -123,7 +112,7 @@ void AvatarChange::add_next(Drawing& drawing) {
     const auto& bodies = arriving_->costumes.bodies;
     while (added_.size() < bodies.size()) {
         const auto& body = bodies[added_.size()];
-        const auto worn = find_worn(body, drawing);
+        const auto worn = find_worn(drawing.bodies.wardrobe(), body);
         if (!worn) {
             drawing.renderer.begin_adding(body);
             return;

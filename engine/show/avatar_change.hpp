@@ -23,8 +23,11 @@ class AvatarChange {
     static constexpr Nanos kShare = std::chrono::milliseconds(3);
 
     /// `worn`: what the dancers wear; the mannequins among them in this costume.
-    AvatarChange(std::vector<LoadedAvatar> worn, render::Costume costume)
-        : worn_(std::move(worn)), costume_(costume) {}
+    /// `most_image_bytes`: of others that are loaded (AvatarOptions).
+    AvatarChange(std::vector<LoadedAvatar> worn,
+                 render::Costume costume,
+                 std::size_t most_image_bytes = render::kUsualImageBytes)
+        : worn_(std::move(worn)), costume_(costume), most_image_bytes_(most_image_bytes) {}
 
     /// Asks for what `names` mean (find_avatar), at least one, to be worn in turn. What was asked
     /// for before and is not worn yet is given up.
@@ -49,7 +52,7 @@ class AvatarChange {
         bool is_costume_alone = false;
     };
     [[nodiscard]] static Expected<Arrival> load(const std::vector<std::string>& names,
-                                                render::Costume costume,
+                                                const AvatarOptions& options,
                                                 render::Quality quality);
     [[nodiscard]] static Expected<Arrival> dress_worn(const std::vector<LoadedAvatar>& worn,
                                                       render::Costume costume,
@@ -64,6 +67,7 @@ class AvatarChange {
 
     std::vector<LoadedAvatar> worn_;
     render::Costume costume_;
+    std::size_t most_image_bytes_;
     std::vector<std::string> asked_;          // and not begun to load
     bool is_dress_asked_ = false;             // and not begun to make
     std::future<Expected<Arrival>> loading_;  // one at a time

@@ -1,6 +1,7 @@
 #include "engine/show/avatar_clip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -66,12 +67,14 @@ class AvatarClipReader {
                      render::OtherNodes others)
         : file_(std::move(file)), name_(std::move(name)), hips_(hips), others_(others) {}
 
-    Expected<AvatarClip> read_skeleton(const motion::JointLabels& joints) const {
-        auto clip = motion::read_skeleton_motion(file_, {});
+    Expected<AvatarClip> read_skeleton(const AvatarClipOptions& options) const {
+        motion::MotionReadOptions reading;
+        reading.arm_angle = options.arm_angle;
+        auto clip = motion::read_skeleton_motion(file_, reading);
         if (!clip) {
             return fail(clip.error());
         }
-        clip->labels = joints;
+        clip->labels = options.joints;
         motion::Skeleton body;
         body.offsets[0] = hips_;
         auto retargeted = motion::retarget(*clip, body);
@@ -81,7 +84,12 @@ class AvatarClipReader {
         if (retargeted->poses.empty()) {
             return fail(printable(file_.string()) + ": there are no poses in it");
         }
-        return clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
+        AvatarClip read = clip_of(std::move(retargeted->poses), retargeted->frames_per_second);
+        if (!clip->expressions.empty()) {
+            read.face_ = face_of(std::move(clip->expressions), clip->frames_per_second);
+        }
+        read.warnings_ = std::move(clip->warnings);
+        return read;
     }
 
     // A figure of a written dance, which the mannequin dances, as large as the body is.
@@ -100,6 +108,7 @@ class AvatarClipReader {
         AvatarClip clip;
         clip.duration_ = danced->repeats * danced->beats / beats_a_second;
         clip.rate_ = danced->frames_per_second;
+        clip.bpm_ = dance->written.bpm();
         clip.pose_ = [danced,
                       beats_a_second,
                       end = clip.duration_,
@@ -135,6 +144,32 @@ class AvatarClipReader {
             return motion::pose_between(poses, seconds * rate);
         };
         return clip;
+    }
+
+    // Faces of expressions by frame, in a straight line between two frames.
+    static std::function<render::Face(double)> face_of(std::vector<motion::ExpressionTrack> tracks,
+                                                       double rate) {
+        return [tracks = std::move(tracks), rate](double seconds) {
+            render::Face face;
+            for (const motion::ExpressionTrack& track : tracks) {
+                const auto* const name = std::find(render::kFaceExpressionNames.begin(),
+                                                   render::kFaceExpressionNames.end(),
+                                                   track.name);
+                if (name == render::kFaceExpressionNames.end() || track.weights.empty()) {
+                    continue;
+                }
+                const double last = static_cast<double>(track.weights.size() - 1);
+                const double at = std::clamp(seconds * rate, 0.0, last);
+                const auto from = static_cast<std::size_t>(at);
+                const std::size_t to = std::min(from + 1, track.weights.size() - 1);
+                face.weights[static_cast<std::size_t>(name -
+                                                      render::kFaceExpressionNames.begin())] =
+                    std::lerp(track.weights[from],
+                              track.weights[to],
+                              static_cast<float>(at - static_cast<double>(from)));
+            }
+            return face;
+        };
     }
 
     // `keeper` keeps the model alive, into which clips look.
@@ -232,9 +267,16 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
     if (motion::lower(file.extension().string()) == ".toml") {
         return reader.read_written();
     }
-    if (motion::motion_format(*start, file) != motion::MotionFormat::model) {
-        return name.empty() ? reader.read_skeleton(options.joints)
-                            : fail(file.string() + ": holds one clip, which has no name");
+    const auto format = motion::motion_format(*start, file);
+    if (format != motion::MotionFormat::model) {
+        if (!name.empty()) {
+            return fail(file.string() + ": holds one clip, which has no name");
+        }
+        auto clip = reader.read_skeleton(options);
+        if (clip) {
+            clip->is_of_one_song_ = format == motion::MotionFormat::vmd;
+        }
+        return clip;
     }
     if (!options.joints.joints.empty()) {
         return fail(file.string() +

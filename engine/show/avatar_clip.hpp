@@ -25,14 +25,17 @@ struct AvatarClipOptions {
     /// Label file of that model, which counts where the clip is that model's own; empty: none.
     std::filesystem::path labels;
     motion::JointLabels joints{};  ///< which joint of a clip that is no model is which bone
+    /// Of a motion of MikuMikuDance: motion::MotionReadOptions::arm_angle.
+    std::optional<double> arm_angle{};
     /// Labels of that model, in the place of its file's; none: the file's.
     std::optional<render::BoneLabels> own_labels{};
     /// Whether AvatarClip::move_others is called for each pose of a clip of that model itself.
     render::OtherNodes others = render::OtherNodes::folded;
 };
 
-/// A clip on a body: of a VRMA, of a glTF (its own), of a BVH, or a figure of a written dance, at
-/// its written tempo. Threads: one. Real-time: no.
+/// A clip on a body: of a VRMA, of a glTF (its own), of a BVH or another format of motion, with the
+/// face of a VMD, or a figure of a written dance, at its written tempo. Threads: one. Real-time:
+/// no.
 class AvatarClip {
  public:
     /// `argument`: "FILE", whose first clip (figure) is taken, or "FILE#NAME". `hips`: where those
@@ -47,7 +50,11 @@ class AvatarClip {
     [[nodiscard]] double duration() const noexcept { return duration_; }
     /// Poses a second: the file's, or 60 where it has no rate.
     [[nodiscard]] double rate() const noexcept { return rate_; }
-    /// What the model of the clip had mended; one line each.
+    /// Its tempo, where the file says it: of a written dance.
+    [[nodiscard]] std::optional<double> bpm() const noexcept { return bpm_; }
+    /// Whether clips of its kind are made for one song, at whose start they start.
+    [[nodiscard]] bool is_of_one_song() const noexcept { return is_of_one_song_; }
+    /// What the clip's reader left out or mended; one line each.
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
     /// The pose at `seconds`, held before the start and after the end.
@@ -79,6 +86,8 @@ class AvatarClip {
     std::function<void(double, const render::JointTree&, render::JointState&)> others_;
     double duration_ = 0.0;
     double rate_ = 60.0;
+    std::optional<double> bpm_;
+    bool is_of_one_song_ = false;
     std::vector<std::string> warnings_;
 };
 

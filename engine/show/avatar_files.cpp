@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "engine/setup/user_folders.hpp"
+#include "render/import/humanoid_labels.hpp"
 #include "render/import/model_reader.hpp"
 
 #include <fmt/format.h>
@@ -69,13 +70,7 @@ Expected<fs::path> find_avatar(const std::string& name) {
 }
 
 fs::path find_labels(const fs::path& model, const fs::path& asked) {
-    if (!asked.empty()) {
-        return asked;
-    }
-    fs::path beside = model;
-    beside.replace_extension(".labels.toml");
-    std::error_code ignored;
-    return fs::is_regular_file(beside, ignored) ? beside : fs::path();
+    return asked.empty() ? render::labels_beside(model) : asked;
 }
 
 }  // namespace raks::engine

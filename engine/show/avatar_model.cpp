@@ -1,38 +1,28 @@
 #include "engine/show/avatar_model.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
-#include "base/file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
 #include "engine/show/standing_model.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 
+#include <fmt/format.h>
+
 namespace raks::engine {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestLabels = std::size_t{1} << 20U;  // bytes
-
 }  // namespace
-
-Expected<render::BoneLabels> load_labels(const fs::path& file) {
-    const auto text = read_text_file(file, kLargestLabels);
-    if (!text) {
-        return fail(text.error());
-    }
-    return render::read_bone_labels(*text, printable(file.string()));
-}
 
 Expected<void> find_bones(render::Model& model, const fs::path& labels) {
     if (labels.empty()) {
         return render::map_humanoid(model);
     }
-    const auto read = load_labels(labels);
+    const auto read = render::load_labels(labels);
     if (!read) {
         return fail(read.error());
     }
@@ -67,8 +57,7 @@ Expected<void> check_has_surface(const render::Model& model, const fs::path& fil
     if (std::any_of(model.nodes.begin(), model.nodes.end(), is_drawn)) {
         return {};
     }
-    return fail(printable(file.string()) +
-                ": has bones, but no surface to draw; an avatar is a model, not motion");
+    return fail(fmt::format("{}: {}", printable(file.string()), kMotionAlone));
 }
 
 }  // namespace raks::engine

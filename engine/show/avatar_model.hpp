@@ -1,12 +1,15 @@
 // A model file as the figure that dances in it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "base/expected.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/import/humanoid_labels.hpp"
+#include "render/import/model_images.hpp"
 #include "render/model/mannequin_style.hpp"
 #include "render/model/model.hpp"
 
@@ -20,11 +23,9 @@ struct AvatarOptions {
     std::filesystem::path labels;
     /// What the mannequin wears.
     render::Costume costume = render::Costume::unitard;
+    /// What the pictures on it may take of a driver's memory; the largest are halved till then.
+    std::size_t most_image_bytes = render::kUsualImageBytes;
 };
-
-/// Reads a label file. Errors: those of the file and of render::read_bone_labels. Threads: workers.
-/// Real-time: no.
-[[nodiscard]] Expected<render::BoneLabels> load_labels(const std::filesystem::path& file);
 
 /// Finds the bones of a model: those that it names itself, else by the label file, by names and by
 /// shape. A label file that is not needed is said in a warning of the model. Errors: those of the
@@ -42,8 +43,12 @@ struct AvatarModel {
 [[nodiscard]] Expected<AvatarModel> load_avatar_model(const std::filesystem::path& file,
                                                       const AvatarOptions& options = {});
 
-/// Whether a model that was read from `file` can be worn. Errors: it has nothing to draw, as motion
-/// or a skeleton alone has not. Threads: any.
+/// How the error of a model ends that is motion or a skeleton alone.
+inline constexpr std::string_view kMotionAlone =
+    "has bones, but no surface to draw; an avatar is a model, not motion";
+
+/// Whether a model that was read from `file` can be worn. Errors: it has nothing to draw
+/// (kMotionAlone). Threads: any.
 [[nodiscard]] Expected<void> check_has_surface(const render::Model& model,
                                                const std::filesystem::path& file);
 

@@ -5,38 +5,43 @@
 #include <string>
 #include <vector>
 
-#include "engine/show/avatar_clip.hpp"
+#include "engine/show/clip_performer.hpp"
 #include "engine/show/show.hpp"
 #include "motion/skeleton/pose_track.hpp"
 
 namespace raks::engine {
 
-/// A clip that all dancers perform over and over in the place of their dance, in the time of the
-/// stream: it stands still while a song is paused. Threads: one.
+/// A clip that all dancers perform in the place of their dance, in the time of the stream: it
+/// stands still while a song is paused. Threads: one.
 class ClipPerformance {
  public:
     /// `name`: for people.
-    ClipPerformance(AvatarClip clip, std::string name)
-        : clip_(std::move(clip)), name_(std::move(name)) {}
+    ClipPerformance(ClipPerformer performer, std::string name)
+        : performer_(std::move(performer)), name_(std::move(name)) {}
 
     /// The clip's file, for people.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// As ClipPerformer::description.
+    [[nodiscard]] std::string description() const { return performer_.description(); }
     /// Another stream begins: the clip begins anew with the first moment of it that is shown.
     void begin_anew() noexcept {
-        begins_.reset();
+        performer_.begin_anew();
         tracks_.clear();
+        song_start_.reset();
     }
+    /// Where the song is at the start of the stream, in its seconds; with each picture. It changes
+    /// with a seek; what a buffer makes of it is passed over.
+    void follow_song(double song_start) noexcept;
 
     /// The same moment, performed. Valid until the next call, and as long as `shown`.
     [[nodiscard]] ShownMoment at(const ShownMoment& shown);
 
  private:
-    [[nodiscard]] double time_in_clip(StreamTime moment) const;
-    void perform_until(HopIndex hop, const DancedMoment& danced);
+    void perform_until(HopIndex hop, const ShownMoment& shown);
 
-    AvatarClip clip_;
+    ClipPerformer performer_;
     std::string name_;
-    std::optional<StreamTime> begins_;
+    std::optional<double> song_start_;
     std::vector<motion::PoseTrack> tracks_;  // one a dancer
 };
 

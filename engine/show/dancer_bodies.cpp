@@ -206,6 +206,18 @@ DancerBodies::Wardrobe wardrobe_of(const Costumes& costumes, const DancerBodies:
     return wardrobe;
 }
 
+std::optional<DancerBodies::Worn> find_worn(const DancerBodies::Wardrobe& wardrobe,
+                                            const std::shared_ptr<const render::Avatar>& body) {
+    for (const DancerBodies::Builds& builds : wardrobe) {
+        for (const DancerBodies::Worn& worn : builds) {
+            if (worn.avatar == body) {
+                return worn;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<render::AvatarHandle> handles_of(const DancerBodies::Wardrobe& wardrobe) {
     std::vector<render::AvatarHandle> handles;
     for (const DancerBodies::Builds& builds : wardrobe) {

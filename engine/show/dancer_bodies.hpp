@@ -113,6 +113,9 @@ class DancerBodies {
 /// Pure.
 [[nodiscard]] DancerBodies::Wardrobe wardrobe_of(const Costumes& costumes,
                                                  const DancerBodies::Builds& added);
+/// That body of it; none: nobody wears it. Pure.
+[[nodiscard]] std::optional<DancerBodies::Worn> find_worn(
+    const DancerBodies::Wardrobe& wardrobe, const std::shared_ptr<const render::Avatar>& body);
 /// The renderer's handles of it, each once. Pure.
 [[nodiscard]] std::vector<render::AvatarHandle> handles_of(const DancerBodies::Wardrobe& wardrobe);
 

@@ -20,6 +20,8 @@ struct FaceHabits {
     bool moves_mouth = true;  ///< by the music's level
     bool gazes = true;        ///< to the camera or the partner
     float mood = 1.0F;        ///< how much feelings show (mood_size); 0: not at all
+
+    friend bool operator==(const FaceHabits&, const FaceHabits&) = default;
 };
 
 /// How much feelings show by the setting face_mood: "off" 0, "calm", "normal" 1, "stage". Pure.

@@ -15,35 +15,52 @@
 #include "render/avatar/model_avatar.hpp"
 #include "render/import/image_file.hpp"
 #include "render/mannequin/mannequin.hpp"
+#include "render/model/sub_meshes.hpp"
 
 namespace raks::engine {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// All images of a model, unpacked; what cannot be read is left empty, with a warning. Images
-/// beyond the memory that a character is worth are halved.
-std::vector<render::Image> unpacked(render::Model& model) {
+/// Those of `packed`, unpacked, as large as their halvings say; what cannot be read is left empty,
+/// with a line in `warnings`.
+std::vector<render::Image> unpacked(const std::vector<render::ModelImage>& packed,
+                                    std::vector<std::string>& warnings) {
     std::vector<render::Image> images;
     render::ModelUnpacker unpacker;
-    for (const render::ModelImage& packed : model.images) {
+    for (const render::ModelImage& one : packed) {
         render::Image& image = images.emplace_back();
-        if (packed.packed.empty()) {
-            continue;  // the reader has said why
+        if (one.packed.empty()) {
+            continue;  // it is not drawn, or the reader has said why
         }
-        Expected<render::Image> read =
-            render::decode_image(unpacker, packed.packed, packed.halvings);
+        Expected<render::Image> read = render::decode_image(unpacker, one.packed, one.halvings);
         if (read) {
             image = std::move(*read);
         } else {
-            model.warnings.push_back(fmt::format(
-                "image {}: {}; drawn white", printable(packed.name), read.error().message));
+            warnings.push_back(fmt::format(
+                "image {}: {}; drawn white", printable(one.name), read.error().message));
         }
     }
     if (unpacker.is_uncaged()) {
-        model.warnings.emplace_back(render::kUncagedWarning);
+        warnings.emplace_back(render::kUncagedWarning);
     }
     return images;
+}
+
+/// The images that materials of a model use, unpacked; the others are empty.
+std::shared_ptr<render::SurfaceImages> drawn_images(render::Model& model) {
+    std::vector<render::ModelImage> packed = model.images;
+    const std::vector<bool> is_used = render::used_images(model);
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        if (!is_used[i]) {
+            packed[i].packed.clear();
+        }
+    }
+    std::vector<render::Image> images = unpacked(packed, model.warnings);
+    return std::make_shared<render::SurfaceImages>(std::move(images), [packed = std::move(packed)] {
+        std::vector<std::string> said_before;
+        return unpacked(packed, said_before);
+    });
 }
 
 }  // namespace
@@ -100,11 +117,13 @@ std::vector<LoadedAvatar> dressed(std::vector<LoadedAvatar> avatars, render::Cos
     return avatars;
 }
 
-LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file) {
+LoadedAvatar make_avatar(AvatarModel& figure,
+                         const std::string& file,
+                         std::size_t most_image_bytes) {
     render::Model& model = figure.model;
-    std::vector<render::Image> images = unpacked(model);
+    render::fit_images(most_image_bytes, model);
     auto avatar = std::make_shared<render::Avatar>(
-        render::build_avatar(model, std::move(images), figure.options));
+        render::build_avatar_with(drawn_images(model), model, figure.options));
     std::vector<std::string> warnings = model.warnings;
     warnings.insert(warnings.end(), avatar->rig->warnings.begin(), avatar->rig->warnings.end());
     return {.avatar = std::move(avatar),
@@ -130,7 +149,7 @@ Expected<LoadedAvatar> load_avatar(const std::string& name, const AvatarOptions&
     if (auto checked = check_has_surface(figure->model, *path); !checked) {
         return fail(std::move(checked.error()));
     }
-    LoadedAvatar loaded = make_avatar(*figure, path->filename().string());
+    LoadedAvatar loaded = make_avatar(*figure, path->filename().string(), options.most_image_bytes);
     loaded.name = path->string();
     return loaded;
 }

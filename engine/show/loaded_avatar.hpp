@@ -45,10 +45,12 @@ struct LoadedAvatar {
 [[nodiscard]] std::vector<LoadedAvatar> dressed(std::vector<LoadedAvatar> avatars,
                                                 render::Costume costume);
 
-/// The avatar of a figure. `file`: its name, for the credit where the model has no title. What its
-/// images lack is a warning; the model's own warnings are taken over. Threads: workers.
-/// Real-time: no.
-[[nodiscard]] LoadedAvatar make_avatar(AvatarModel& figure, const std::string& file);
+/// The avatar of a figure. `file`: its name, for the credit where the model has no title.
+/// `most_image_bytes`: see render::fit_images. What its images lack is a warning; the model's own
+/// warnings are taken over. Threads: workers. Real-time: no.
+[[nodiscard]] LoadedAvatar make_avatar(AvatarModel& figure,
+                                       const std::string& file,
+                                       std::size_t most_image_bytes = render::kUsualImageBytes);
 
 /// Loads what a setting names (find_avatar). Errors: those of find_avatar, load_avatar_model and
 /// check_has_surface.

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/expected.hpp"
 #include "engine/setup/settings.hpp"
+#include "engine/show/camera_motion.hpp"
 #include "engine/show/dancer_face.hpp"
 #include "engine/show/loaded_avatar.hpp"
 #include "engine/show/staging.hpp"
@@ -27,10 +29,14 @@ struct Look {
     FaceHabits face;                    ///< what faces do by themselves
     std::vector<LoadedAvatar> avatars;  ///< worn in turn (put_on); none: the mannequin
     Partners partners = Partners::all;  ///< who is seen in the first picture
-    bool dresses_by_dance = false;      ///< the dance chooses what the mannequin wears
-    std::string dance;                  ///< that is asked for; empty: any
+    /// What the pictures on each avatar may take of a driver's memory (AvatarOptions).
+    std::size_t most_image_bytes = render::kUsualImageBytes;
+    bool dresses_by_dance = false;  ///< the dance chooses what the mannequin wears
+    std::string dance;              ///< that is asked for; empty: any
     /// What the mannequin wears, to begin with where the dance chooses it.
     render::Costume costume = render::Costume::unitard;
+    /// What moves the camera of a film in the place of `camera`; none: nothing does.
+    std::shared_ptr<const CameraMotion> camera_motion{};
     std::vector<std::string> notes;  ///< a line for each setting that could not be had
 };
 

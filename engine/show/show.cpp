@@ -21,10 +21,16 @@ render::Camera audience(render::Camera camera) noexcept {
     return camera;
 }
 
-/// What dancers wear once the renderer has all bodies.
-Expected<DancerBodies::Wardrobe> add_all(const Costumes& costumes, render::Renderer& renderer) {
+/// What dancers wear once the renderer has all bodies; it has those of `worn`.
+Expected<DancerBodies::Wardrobe> add_all(const Costumes& costumes,
+                                         const DancerBodies::Wardrobe& worn,
+                                         render::Renderer& renderer) {
     DancerBodies::Builds added;
     for (const std::shared_ptr<const render::Avatar>& body : costumes.bodies) {
+        if (const auto known = find_worn(worn, body)) {
+            added.push_back(*known);
+            continue;
+        }
         const auto handle = renderer.add(*body);
         if (!handle) {
             return fail(handle.error());
@@ -51,7 +57,7 @@ Expected<Drawing> create_drawing(const Look& look) {
     if (!overlay) {
         return fail(overlay.error());
     }
-    auto wardrobe = add_all(making.get(), *renderer);
+    auto wardrobe = add_all(making.get(), {}, *renderer);
     if (!wardrobe) {
         return fail(wardrobe.error());
     }
@@ -63,13 +69,18 @@ Expected<Drawing> create_drawing(const Look& look) {
 Expected<void> wear_at_once(const std::vector<LoadedAvatar>& avatars,
                             Partners partners,
                             Drawing& drawing) {
-    auto wardrobe = add_all(costumes_of(avatars, partners), drawing.renderer);
+    auto wardrobe =
+        add_all(costumes_of(avatars, partners), drawing.bodies.wardrobe(), drawing.renderer);
     if (!wardrobe) {
         return fail(wardrobe.error());
     }
     const auto before = drawing.bodies.wear(std::move(*wardrobe));
-    for (const render::AvatarHandle worn : handles_of(before)) {
-        drawing.renderer.remove(worn);
+    for (const DancerBodies::Builds& builds : before) {
+        for (const DancerBodies::Worn& worn : builds) {
+            if (!find_worn(drawing.bodies.wardrobe(), worn.avatar)) {
+                drawing.renderer.remove(worn.handle);
+            }
+        }
     }
     return {};
 }
@@ -93,6 +104,7 @@ Show::Show(const Look& look,
       preset_(look.scene.camera),
       staging_(look.seed, look.liveliness),
       camera_name_(look.camera),
+      camera_motion_(look.camera_motion),
       drawing_(std::move(drawing)),
       avatars_(look.avatars),
       partners_(look.partners),
@@ -111,8 +123,12 @@ void Show::draw(const ShownMoment& shown,
         // Where the driver refuses them the film goes on in those that are worn.
         static_cast<void>(wear_at_once(avatars_, partners_, drawing_));
     }
+    if (camera_motion_) {
+        scene_.camera = camera_motion_->at(info.position.value_or(to_seconds(danced.moment)),
+                                           drawing_.bodies.size());
+    }
     staging_.set(scene_,
-                 {.name = camera_name_, .preset = preset_},
+                 {.name = camera_name_, .preset = preset_, .is_held = camera_motion_ != nullptr},
                  {.time = danced.moment, .lead = danced.lead},
                  danced.tracks);
     // The picture first: the overlay is drawn over it.

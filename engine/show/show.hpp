@@ -76,6 +76,7 @@ class Show {
     render::Camera preset_;
     Staging staging_;
     std::string camera_name_;
+    std::shared_ptr<const CameraMotion> camera_motion_;  // null: none
     Drawing drawing_;
     std::vector<LoadedAvatar> avatars_;  // that are worn
     Partners partners_;

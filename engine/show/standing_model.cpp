@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/avatar/joint_tree.hpp"
+#include "render/import/body_parents.hpp"
 #include "render/import/standing_body.hpp"
 #include "render/model/model_survey.hpp"
 
@@ -18,23 +19,6 @@ namespace {
 using render::Model;
 using render::ModelNode;
 using render::StandingBody;
-
-/// Nodes with parents before their children.
-std::vector<std::size_t> in_order(const std::vector<int>& parents) {
-    std::vector<std::size_t> order;
-    std::vector<bool> is_done(parents.size(), false);
-    for (std::size_t start = 0; start < parents.size(); ++start) {
-        std::vector<std::size_t> way;
-        for (int node = static_cast<int>(start);
-             node >= 0 && !is_done[static_cast<std::size_t>(node)];
-             node = parents[static_cast<std::size_t>(node)]) {
-            way.push_back(static_cast<std::size_t>(node));
-            is_done[static_cast<std::size_t>(node)] = true;
-        }
-        order.insert(order.end(), way.rbegin(), way.rend());
-    }
-    return order;
-}
 
 void set_local(ModelNode& node, const glm::mat4& local) {
     node.translation = glm::vec3(local[3]);
@@ -99,7 +83,7 @@ render::RigOptions stand_model(Model& model, std::optional<float> height) {
     if (model.character.vrm != render::VrmVersion::none) {
         return options;  // stored in its T-pose; the rig turns it to the front
     }
-    const std::vector<std::size_t> order = in_order(body.parents);
+    const std::vector<std::size_t> order = render::parents_first(body.parents);
     set_parents(model, body.parents);
     for (const std::size_t node : order) {
         const int parent = body.parents[node];

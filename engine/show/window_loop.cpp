@@ -99,7 +99,7 @@ WindowLoop::WindowLoop(render::Window window,
       scene_(look.scene),
       camera_name_(look.camera),
       avatar_name_(look.avatars.empty() ? kMannequinName : look.avatars.front().name),
-      avatar_change_(look.avatars, look.costume),
+      avatar_change_(look.avatars, look.costume, look.most_image_bytes),
       lacks_partners_(look.partners == Partners::first),
       overlay_view_(options_.cards == Cards::shown ? render::OverlayView::shown
                                                    : render::OverlayView::hidden) {}
@@ -114,7 +114,7 @@ WindowEnd WindowLoop::run(WindowContent& content, ActionDispatcher& actions) {
         // Time passes by the clock and not by pictures: a slow picture must not slow the content.
         content.advance(to_seconds(now - last));
         last = now;
-        change_avatar();
+        change_avatar(content);
         content.draw_elsewhere(
             {drawing_, scene_, {camera_name_, preset(content), is_camera_held_}, nullptr});
         draw(content);
@@ -582,11 +582,13 @@ void WindowLoop::wear(std::vector<std::string> names) {
 
 // Before each picture: a part of the work, if there is any. The camera moves with the size, so that
 // a person's own place is kept.
-void WindowLoop::change_avatar() {
+void WindowLoop::change_avatar(WindowContent& content) {
     const float size_before = drawing_.bodies.size();
     auto changed = avatar_change_.go_on(drawing_);
     if (!changed) {
-        say(changed.error().message);
+        if (!content.take_refused(changed.error())) {
+            say(changed.error().message);
+        }
     } else if (!changed->empty()) {
         scene_.camera = camera_for(scene_.camera, drawing_.bodies.size() / size_before);
         chosen_avatars_.clear();

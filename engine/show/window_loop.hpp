@@ -60,6 +60,9 @@ class WindowContent {
     /// Files were dropped on the window. False: the loop takes models among them as avatars, and
     /// says of others that it does not.
     virtual bool take_dropped(const std::vector<std::string>& /*paths*/) { return false; }
+    /// Models that were asked for cannot be worn. True: the content makes something else of them;
+    /// false: the loop says why.
+    virtual bool take_refused(const Error& /*why*/) { return false; }
     /// Help lines of the keys that handle() uses.
     [[nodiscard]] virtual std::vector<render::HelpRow> own_keys() const { return {}; }
 
@@ -204,7 +207,7 @@ class WindowLoop {
     [[nodiscard]] Expected<void> wear_named(const std::string& name);
     [[nodiscard]] Expected<void> look_through(const std::string& name,
                                               const WindowContent& content);
-    void change_avatar();
+    void change_avatar(WindowContent& content);
     void say_avatar(const LoadedAvatar& avatar);
     [[nodiscard]] render::Camera preset(const WindowContent& content) const;
 

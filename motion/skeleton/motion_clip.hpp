@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "motion/skeleton/expression_track.hpp"
 #include "motion/skeleton/joint_labels.hpp"
+#include "motion/skeleton/known_body.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -34,7 +36,10 @@ struct MotionClip {
     /// Whether the format rests in our T-pose, y up, facing +z. Its joints' frames are then known
     /// though no bone of a real body lies quite along an axis.
     bool rests_in_t_pose = false;
+    /// Of the face, one weight a frame, where the format has them.
+    std::vector<ExpressionTrack> expressions;
     std::vector<std::string> warnings;  ///< one line each, without the file's name
+    std::optional<KnownBody> known{};   ///< of a clip in a model whose body is found
     JointLabels labels;  ///< which joint is which bone, where a person said so; no reader sets it
 
     /// Local rotation of a joint at a frame.

@@ -15,6 +15,7 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/surface.hpp"
+#include "render/model/character.hpp"
 #include "render/model/mannequin_style.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -121,7 +122,8 @@ struct Avatar {
     // A surface and what moves it; none: `rig` is null.
     Surface surface;
     std::shared_ptr<const AvatarRig> rig;
-    float soles = 0.0F;  ///< height of the soles in the rig's T-pose; metres
+    float soles = 0.0F;                 ///< height of the soles in the rig's T-pose; metres
+    VrmVersion vrm = VrmVersion::none;  ///< of the file that the rig is from
 
     // A painted skin and the bones and helpers that move it.
     motion::Pose bind_pose;  ///< an A-pose: the posture in which vertices and normals are given

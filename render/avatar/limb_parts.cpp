@@ -64,6 +64,24 @@ void add_limb_joints(const LimbBones& limb, std::vector<FleshPoint>& flesh, Bone
     }
 }
 
+/// An arm that ends with its forearm has its wrist within the flesh of that.
+void add_wrist_joint(const LimbBones& limb, std::vector<FleshPoint>& flesh, BonePlaces& bones) {
+    constexpr float kForearm = 0.58F;  // of the way from the elbow to the finger tips
+    const glm::vec3 elbow = bones.places[index_of(limb.lower)];
+    const glm::vec3 direction = direction_of(limb);
+    const float end = kForearm * reach(flesh, limb.lower, elbow, direction);
+    if (!(end > 0.0F)) {
+        return;
+    }
+    bones.places[index_of(limb.end)] = elbow + end * direction;
+    bones.is_there[index_of(limb.end)] = true;
+    for (FleshPoint& point : flesh) {
+        if (point.bone == index_of(limb.lower) && glm::dot(point.place - elbow, direction) > end) {
+            point.bone = index_of(limb.end);
+        }
+    }
+}
+
 void add_head_joint(std::vector<FleshPoint>& flesh, BonePlaces& bones) {
     const glm::vec3 spine = bones.places[index_of(Bone::spine)];
     const float height = kHeadJoint * reach(flesh, Bone::spine, spine, {0.0F, 1.0F, 0.0F});
@@ -92,6 +110,9 @@ void add_lacking_joints(std::vector<FleshPoint>& flesh, BonePlaces& bones) {
     for (const LimbBones& limb : kLimbs) {
         if (is_one_part(limb, bones.is_there)) {
             add_limb_joints(limb, flesh, bones);
+        } else if (!is_leg(limb) && bones.is_there[index_of(limb.lower)] &&
+                   !bones.is_there[index_of(limb.end)]) {
+            add_wrist_joint(limb, flesh, bones);
         }
     }
     if (bones.is_there[index_of(Bone::spine)] && !bones.is_there[index_of(Bone::head)]) {

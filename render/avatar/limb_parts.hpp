@@ -31,8 +31,9 @@ inline constexpr std::array<LimbBones, 4> kLimbs = {{
                                const std::array<bool, motion::kBoneCount>& is_there) noexcept;
 
 /// Gives limbs that are one part a knee or an elbow in their middle and an ankle or a wrist near
-/// their end, by their flesh in the T-pose, and a head where trunk and head are one; the flesh is
-/// then of these bones. So a dance can be solved for them. Threads: any. Real-time: no.
+/// their end, by their flesh in the T-pose, arms without hands a wrist in the flesh of the forearm,
+/// and a head where trunk and head are one; the flesh is then of these bones. So a dance can be
+/// solved for them. Threads: any. Real-time: no.
 void add_lacking_joints(std::vector<FleshPoint>& flesh, BonePlaces& bones);
 
 /// How a limb that is one part turns against its upper bone, so that its end lies in the direction

@@ -1,6 +1,7 @@
 // Where the eyes look: by their bones or by expressions.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "render/avatar/expressions.hpp"
@@ -28,6 +29,8 @@ class LookAtRig {
 
     /// Whether the eyes can move at all.
     [[nodiscard]] bool can_look() const noexcept { return head_ >= 0; }
+    /// The joints of the left and the right eye; -1: there is none, or it does not move.
+    [[nodiscard]] std::array<int, 2> eyes() const noexcept { return {left_.joint, right_.joint}; }
 
     /// The gaze from the head as it is posed now to a point of the world; straight ahead where it
     /// cannot look. Reads rotations and translations, not `world`. Threads: any. Real-time: yes.

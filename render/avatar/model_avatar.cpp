@@ -37,6 +37,12 @@ void note_face_rims(const Model& model, Surface& surface) {
 }  // namespace
 
 Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOptions& options) {
+    return build_avatar_with(std::make_shared<SurfaceImages>(std::move(images)), model, options);
+}
+
+Avatar build_avatar_with(std::shared_ptr<SurfaceImages> images,
+                         const Model& model,
+                         const RigOptions& options) {
     Avatar avatar;
     avatar.name =
         model.character.licence.title.empty() ? model.name : model.character.licence.title;
@@ -46,6 +52,7 @@ Avatar build_avatar(const Model& model, std::vector<Image> images, const RigOpti
     note_face_rims(model, avatar.surface);
     avatar.skeleton = motion::mannequin_skeleton();
     avatar.rig = rig;
+    avatar.vrm = model.character.vrm;
     // Without hips it is a thing, no figure.
     if (rig->humanoid.joint(motion::Bone::hips) >= 0) {
         std::vector<FleshPoint> flesh = flesh_of(avatar);

@@ -5,10 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
-#include "render/model/image.hpp"
+#include "render/avatar/surface_images.hpp"
 #include "render/model/material.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -71,7 +72,7 @@ struct Surface {
     std::vector<SurfaceMorph> morphs;
     std::vector<ModelMaterial> materials;
     std::vector<ModelTexture> textures;
-    std::vector<Image> images;
+    std::shared_ptr<SurfaceImages> images;  ///< null: no texture has one
 };
 
 }  // namespace raks::render

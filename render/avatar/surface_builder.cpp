@@ -49,15 +49,17 @@ int drawing_order(const ModelMaterial& material) noexcept {
 
 class SurfaceBuilder {
  public:
-    SurfaceBuilder(const Model& model, const AvatarRig& rig, std::vector<Image> images)
+    SurfaceBuilder(const Model& model, const AvatarRig& rig, std::shared_ptr<SurfaceImages> images)
         : model_(model), rig_(rig) {
         surface_.materials = model.materials;
         surface_.textures = model.textures;
+        const SurfaceImages::Images unpacked = images == nullptr ? nullptr : images->get();
         surface_.images = std::move(images);
         for (ModelTexture& texture : surface_.textures) {
             // What could not be read is drawn white.
             if (texture.image >= 0 &&
-                surface_.images[static_cast<std::size_t>(texture.image)].width == 0) {
+                (unpacked == nullptr ||
+                 (*unpacked)[static_cast<std::size_t>(texture.image)].width == 0)) {
                 texture.image = -1;
             }
         }
@@ -244,7 +246,9 @@ void SurfaceBuilder::add_morphs(int node,
 
 }  // namespace
 
-Surface build_surface(const Model& model, const AvatarRig& rig, std::vector<Image> images) {
+Surface build_surface(const Model& model,
+                      const AvatarRig& rig,
+                      std::shared_ptr<SurfaceImages> images) {
     return SurfaceBuilder(model, rig, std::move(images)).build();
 }
 

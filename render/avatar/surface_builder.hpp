@@ -1,19 +1,19 @@
 // The drawable surface of a model.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "render/avatar/avatar_rig.hpp"
 #include "render/avatar/surface.hpp"
-#include "render/model/image.hpp"
 #include "render/model/model.hpp"
 
 namespace raks::render {
 
 /// All meshes of the nodes that are shown. Parts lie in drawing order: opaque, cut out, then
-/// blended ones by their queue. A mesh without a skin is moved by its node.
+/// blended ones by their queue. A mesh without a skin is moved by its node. `images`: null where
+/// there are none.
 [[nodiscard]] Surface build_surface(const Model& model,
                                     const AvatarRig& rig,
-                                    std::vector<Image> images);
+                                    std::shared_ptr<SurfaceImages> images);
 
 }  // namespace raks::render

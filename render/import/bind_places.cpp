@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -41,27 +40,119 @@ std::vector<glm::mat4> bound_joints(const ModelSkin& skin) {
     return says_something && bound.size() == skin.joints.size() ? bound : std::vector<glm::mat4>();
 }
 
-/// World from the skin's space. It is not written in a file: skins are bound in the world, or in
-/// the space of what carries the skeleton. The one that leaves the joints nearer to their places
-/// at rest is taken.
+/// The first joint of a skin above which no other of its joints lies; of several the one that
+/// carries the most of them, or the first that is bound already: `is_bound`, by node.
+std::size_t root_joint(const Model& model,
+                       const ModelSkin& skin,
+                       const std::vector<bool>& is_bound) {
+    std::vector<int> place_in_skin(model.nodes.size(), -1);
+    for (std::size_t j = skin.joints.size(); j-- > 0;) {
+        place_in_skin[static_cast<std::size_t>(skin.joints[j])] = static_cast<int>(j);
+    }
+    std::vector<std::size_t> carried(skin.joints.size(), 0);
+    for (const int joint : skin.joints) {
+        int top = joint;
+        for (int up = joint; up >= 0; up = node_of(model, up).parent) {
+            top = place_in_skin[static_cast<std::size_t>(up)] >= 0 ? up : top;
+        }
+        ++carried[static_cast<std::size_t>(place_in_skin[static_cast<std::size_t>(top)])];
+    }
+    for (const int joint : skin.joints) {
+        if (is_bound[static_cast<std::size_t>(joint)]) {
+            return static_cast<std::size_t>(place_in_skin[static_cast<std::size_t>(joint)]);
+        }
+    }
+    return static_cast<std::size_t>(std::max_element(carried.begin(), carried.end()) -
+                                    carried.begin());
+}
+
+/// The mean length of a matrix's axes: how much larger it makes things.
+float size_of(const glm::mat4& matrix) {
+    return std::cbrt(std::abs(glm::determinant(glm::mat3(matrix))));
+}
+
+/// Whether every joint of a skin is where it was bound, but for rounding, if `from_skin` brings the
+/// skin's space into the world: the nodes are then not in some pose of an animation.
+bool is_at_rest(const ModelSkin& skin,
+                std::span<const glm::mat4> bound,
+                std::span<const glm::mat4> world,
+                const glm::mat4& from_skin) {
+    constexpr float kRounding = 1e-3F;  // of what the skin spans
+    float span = 0.0F;
+    float farthest = 0.0F;
+    const glm::vec3 first(from_skin * bound.front()[3]);
+    for (std::size_t j = 0; j < bound.size(); ++j) {
+        const glm::vec3 place(from_skin * bound[j][3]);
+        const glm::mat4& now = world[static_cast<std::size_t>(skin.joints[j])];
+        span = std::max(span, glm::distance(first, place));
+        farthest = std::max(farthest, glm::distance(place, glm::vec3(now[3])));
+    }
+    return farthest <= kRounding * span;
+}
+
+/// Whether two ways from a skin's space into the world differ by no more than the pose of one
+/// joint: the same size, and up is up to within half a right angle.
+bool is_same_space(const glm::mat4& posed, const glm::mat4& unposed) {
+    constexpr float kSameSize = 0.02F;
+    constexpr float kLeastUpright = 0.7F;  // cosine
+    const glm::mat3 turn = glm::mat3(posed) * glm::inverse(glm::mat3(unposed));
+    const float size = size_of(glm::mat4(turn));
+    return std::abs(size - 1.0F) < kSameSize && turn[1].y > kLeastUpright * size;
+}
+
+/// `from_skin`, turned about a place by the shortest way so that an axis of the skin's space points
+/// up: figures are drawn along an axis, whatever pose their root joint is in.
+glm::mat4 stood_up(const glm::mat4& from_skin, const glm::vec3& about) {
+    const glm::vec3 up(0.0F, 1.0F, 0.0F);
+    glm::vec3 nearest = up;
+    float highest = -1.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::vec3 along = glm::normalize(glm::vec3(from_skin[axis]));
+        if (std::abs(along.y) > highest) {
+            highest = std::abs(along.y);
+            nearest = along.y < 0.0F ? -along : along;
+        }
+    }
+    const glm::vec3 across = glm::cross(nearest, up);
+    if (!(glm::length(across) > 1e-6F)) {
+        return from_skin;
+    }
+    const float angle = std::atan2(glm::length(across), glm::dot(nearest, up));
+    return glm::translate(glm::mat4(1.0F), about) *
+           glm::rotate(glm::mat4(1.0F), angle, glm::normalize(across)) *
+           glm::translate(glm::mat4(1.0F), -about) * from_skin;
+}
+
+/// World from the skin's space, which no file states: the one that leaves the root joint where it
+/// is at rest. Where the nodes stand in some pose of an animation, that of the root joint is taken
+/// off: the skin was bound in the world, or in the space of what carries the root joint, if one of
+/// them has the same size and the same up; else an axis of the skin's space points up.
+/// `world`: of the nodes at rest, or as bound already.
 glm::mat4 world_from_skin(const Model& model,
                           const ModelSkin& skin,
                           std::span<const glm::mat4> bound,
-                          std::span<const glm::mat4> rest) {
-    const int carrier = node_of(model, skin.joints.front()).parent;
-    const std::array<glm::mat4, 2> candidates = {
-        glm::mat4(1.0F), carrier >= 0 ? rest[static_cast<std::size_t>(carrier)] : glm::mat4(1.0F)};
+                          std::span<const glm::mat4> world,
+                          const std::vector<bool>& is_bound) {
+    const std::size_t root = root_joint(model, skin, is_bound);
+    const auto node = static_cast<std::size_t>(skin.joints[root]);
+    const glm::mat4 from_skin = world[node] * skin.inverse_bind[root];
+    if (!is_finite(from_skin) || !(size_of(from_skin) > 0.0F)) {
+        return glm::mat4(1.0F);  // a root that is scaled away says nothing
+    }
+    if (is_bound[node] || is_at_rest(skin, bound, world, from_skin)) {
+        return from_skin;
+    }
+    const int carrier = model.nodes[node].parent;
+    const glm::mat4 carried =
+        carrier >= 0 ? world[static_cast<std::size_t>(carrier)] : glm::mat4(1.0F);
     float least = std::numeric_limits<float>::infinity();
-    glm::mat4 best = candidates.front();
-    for (const glm::mat4& candidate : candidates) {
-        float sum = 0.0F;
-        for (std::size_t j = 0; j < bound.size(); ++j) {
-            const auto node = static_cast<std::size_t>(skin.joints[j]);
-            sum += glm::length(glm::vec3(candidate * bound[j][3]) - glm::vec3(rest[node][3]));
-        }
-        if (sum < least * 0.999F && is_finite(candidate)) {
-            least = sum;
-            best = candidate;
+    glm::mat4 best = stood_up(from_skin, glm::vec3(world[node][3]));
+    for (const glm::mat4& space : {glm::mat4(1.0F), carried}) {
+        const float away =
+            glm::distance(glm::vec3(space * bound[root][3]), glm::vec3(world[node][3]));
+        if (away < least * 0.999F && is_finite(space) && is_same_space(from_skin, space)) {
+            least = away;
+            best = space;
         }
     }
     return best;
@@ -102,6 +193,20 @@ bool is_same_stance(const ModelSkin& skin,
     return farthest <= kSlack * glm::distance(lowest, highest);
 }
 
+/// Puts all nodes that are not bound where they are stored against their parents.
+void hang_on_parents(const Model& model,
+                     std::span<const int> order,
+                     const std::vector<bool>& is_bound,
+                     std::vector<glm::mat4>& world) {
+    for (const int node : order) {
+        const int parent = node_of(model, node).parent;
+        if (!is_bound[static_cast<std::size_t>(node)] && parent >= 0) {
+            world[static_cast<std::size_t>(node)] =
+                world[static_cast<std::size_t>(parent)] * local_of(node_of(model, node));
+        }
+    }
+}
+
 /// Where a vertex is: by its joints, or by the node that shows it.
 glm::vec3 vertex_place(const ModelPrimitive& primitive,
                        std::size_t vertex,
@@ -121,9 +226,39 @@ glm::vec3 vertex_place(const ModelPrimitive& primitive,
     return glm::vec3(place);
 }
 
-/// Calls `see(node that moves it most, place)` for each vertex that is shown.
-template <typename See>
-void for_each_vertex(const Model& model, std::span<const glm::mat4> world, const See& see) {
+}  // namespace
+
+std::vector<glm::mat4> bind_world(const Model& model) {
+    std::vector<glm::mat4> world = rest_world(model);
+    std::vector<bool> is_bound(model.nodes.size(), false);
+    const std::vector<int> order = parents_first(model);
+    for (const ModelSkin* skin : largest_first(model.skins)) {
+        std::vector<glm::mat4> bound = bound_joints(*skin);
+        if (bound.empty()) {
+            continue;
+        }
+        const glm::mat4 from_skin = world_from_skin(model, *skin, bound, world, is_bound);
+        for (glm::mat4& joint : bound) {
+            joint = from_skin * joint;
+        }
+        if (!is_same_stance(*skin, bound, world, is_bound)) {
+            continue;
+        }
+        for (std::size_t j = 0; j < bound.size(); ++j) {
+            const auto node = static_cast<std::size_t>(skin->joints[j]);
+            if (!is_bound[node]) {
+                is_bound[node] = true;
+                world[node] = bound[j];
+            }
+        }
+        hang_on_parents(model, order, is_bound, world);
+    }
+    return world;
+}
+
+void for_each_vertex(const Model& model,
+                     std::span<const glm::mat4> world,
+                     const std::function<void(int, const glm::vec3&)>& see) {
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
         if (model.nodes[node].mesh < 0) {
             continue;
@@ -144,42 +279,6 @@ void for_each_vertex(const Model& model, std::span<const glm::mat4> world, const
             }
         }
     }
-}
-
-}  // namespace
-
-std::vector<glm::mat4> bind_world(const Model& model) {
-    std::vector<glm::mat4> world = rest_world(model);
-    const std::vector<glm::mat4> rest = world;
-    std::vector<bool> is_bound(model.nodes.size(), false);
-    for (const ModelSkin* skin : largest_first(model.skins)) {
-        std::vector<glm::mat4> bound = bound_joints(*skin);
-        if (bound.empty()) {
-            continue;
-        }
-        const glm::mat4 from_skin = world_from_skin(model, *skin, bound, rest);
-        for (glm::mat4& joint : bound) {
-            joint = from_skin * joint;
-        }
-        if (!is_same_stance(*skin, bound, world, is_bound)) {
-            continue;
-        }
-        for (std::size_t j = 0; j < bound.size(); ++j) {
-            const auto node = static_cast<std::size_t>(skin->joints[j]);
-            if (!is_bound[node]) {
-                is_bound[node] = true;
-                world[node] = bound[j];
-            }
-        }
-    }
-    for (const int node : parents_first(model)) {
-        const int parent = node_of(model, node).parent;
-        if (!is_bound[static_cast<std::size_t>(node)] && parent >= 0) {
-            world[static_cast<std::size_t>(node)] =
-                world[static_cast<std::size_t>(parent)] * local_of(node_of(model, node));
-        }
-    }
-    return world;
 }
 
 std::vector<glm::vec3> places_of(std::span<const glm::mat4> world) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,10 +15,18 @@ namespace raks::render {
 
 /// World from each node as the skins were bound, which is a standing pose, where the transforms as
 /// stored (rest_world) may be a frame of an animation: joints by their inverse bind matrices, what
-/// hangs on them as stored against them, all else as stored. Skins without such matrices, or with
-/// ones that cannot be inverted, are as stored; so are joints that only such skins have as were
-/// bound in another pose than the largest.
+/// hangs on them as stored against them, all else as stored. The space of the mesh, in which those
+/// matrices are, may have any unit, axes and place: it is brought into the world by the root joint
+/// of the skin, which stays where it is stored, but for the pose that it may be in. Skins without
+/// such matrices, or with ones that cannot be inverted, are as stored; so are joints that only such
+/// skins have as were bound in another pose than the largest.
 [[nodiscard]] std::vector<glm::mat4> bind_world(const Model& model);
+
+/// Calls `see(the node that moves it most, its place)` for each vertex that is shown, with the
+/// nodes at `world`.
+void for_each_vertex(const Model& model,
+                     std::span<const glm::mat4> world,
+                     const std::function<void(int, const glm::vec3&)>& see);
 
 /// Origins of nodes.
 [[nodiscard]] std::vector<glm::vec3> places_of(std::span<const glm::mat4> world);

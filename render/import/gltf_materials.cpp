@@ -232,7 +232,7 @@ void read_materials(const JsonField& root,
     for (const JsonField& field : root["images"].objects(kMostImages)) {
         model.images.push_back(read_image(field, buffers, side, budget, model));
     }
-    keep_images_within_memory(model);
+    leave_out_images_beyond_reason(model);
     read_textures(root, model);
     for (const JsonField& field : root["materials"].objects(kMostMaterials)) {
         model.materials.push_back(read_material(field, model));

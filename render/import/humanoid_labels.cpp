@@ -5,8 +5,11 @@
 #include <cstddef>
 #include <map>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
+#include "base/file.hpp"
+#include "base/printable.hpp"
 #include "base/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -140,6 +143,22 @@ Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& 
         return fail(complaints.fault());
     }
     return labels;
+}
+
+Expected<BoneLabels> load_labels(const std::filesystem::path& file) {
+    constexpr std::size_t kLargestLabels = std::size_t{1} << 20U;  // bytes
+    const auto text = read_text_file(file, kLargestLabels);
+    if (!text) {
+        return fail(text.error());
+    }
+    return read_bone_labels(*text, printable(file.string()));
+}
+
+std::filesystem::path labels_beside(const std::filesystem::path& model) {
+    std::filesystem::path beside = model;
+    beside.replace_extension(".labels.toml");
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(beside, ignored) ? beside : std::filesystem::path();
 }
 
 std::string name_of_axis(const glm::vec3& axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,12 @@ struct BoneLabels {
 /// nearest), a bone that no dance moves (eyes, jaw), a value that is neither a text nor a table of
 /// node and axis, an axis that is none of x, y, z, -x, -y, -z, no bones.
 [[nodiscard]] Expected<BoneLabels> read_bone_labels(std::string_view text, const std::string& file);
+
+/// The same of a file. Errors: those of the file, too. Threads: workers. Real-time: no.
+[[nodiscard]] Expected<BoneLabels> load_labels(const std::filesystem::path& file);
+
+/// The label file beside a model, me.labels.toml of me.3ds; empty: there is none. Threads: any.
+[[nodiscard]] std::filesystem::path labels_beside(const std::filesystem::path& model);
 
 /// "x", "-y"; empty: it is 0.
 [[nodiscard]] std::string name_of_axis(const glm::vec3& axis);

@@ -7,7 +7,7 @@
 
 namespace raks::render {
 
-HumanoidMap map_by_names(const Model& model) {
+HumanoidMap map_by_names(const Model& model, const NodeFlesh& flesh) {
     // Whether a node may be a bone is asked of skins first.
     std::vector<motion::NamedNode> nodes;
     for (const ModelNode& node : model.nodes) {
@@ -15,14 +15,17 @@ HumanoidMap map_by_names(const Model& model) {
     }
     for (const ModelSkin& skin : model.skins) {
         for (const int node : skin.joints) {
-            nodes[static_cast<std::size_t>(node)].is_joint = true;
+            const auto at = static_cast<std::size_t>(node);
+            nodes[at].is_joint = flesh.is_empty() || flesh.is_fleshy[at];
         }
     }
     const motion::BonesByName found = motion::bones_by_name(nodes, TreeOrder(model));
     HumanoidMap map;
     map.nodes = found.nodes;
     for (std::size_t bone = 0; bone < map.nodes.size(); ++bone) {
+        constexpr float kByName = 0.9F;
         map.reasons[bone] = map.nodes[bone] < 0 ? BoneReason::none : BoneReason::name;
+        map.confidence[bone] = map.nodes[bone] < 0 ? 0.0F : kByName;
     }
     if (map.nodes[0] >= 0 && found.are_hips_by_tree) {
         map.reasons[0] = BoneReason::shape;

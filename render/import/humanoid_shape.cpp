@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "render/import/bind_places.hpp"
@@ -15,164 +16,52 @@ namespace {
 using motion::Bone;
 using motion::Side;
 
-constexpr float kAlike = 0.15F;  // two limbs differ by less of their length
-// What it costs to look has a bound: no figure has more joints, or limbs at one joint.
+// What it costs to look has a bound: no figure has more joints.
 constexpr std::size_t kMostShapeJoints = 2000;
-constexpr std::size_t kMostBranches = 32;
 constexpr glm::vec3 kUp{0.0F, 1.0F, 0.0F};
 
-/// Which nodes are joints of a skin.
-std::vector<bool> skin_joints(const Model& model) {
+/// Which nodes may be joints of a body: those of skins that move some of it.
+std::vector<bool> skin_joints(const Model& model, const NodeFlesh& flesh) {
     std::vector<bool> joints(model.nodes.size(), false);
     for (const ModelSkin& skin : model.skins) {
         for (const int joint : skin.joints) {
-            joints[static_cast<std::size_t>(joint)] = true;
+            const auto at = static_cast<std::size_t>(joint);
+            joints[at] = flesh.is_empty() || flesh.is_fleshy[at];
         }
     }
     return joints;
 }
 
-/// The tree of those nodes that count, with what is asked of it.
-class JointShape {
- public:
-    JointShape(const Model& model,
-               std::span<const glm::vec3> places,
-               const std::vector<bool>& counts)
-        : places_(places),
-          children_(model.nodes.size()),
-          reach_(model.nodes.size(), 0.0F),
-          tops_(model.nodes.size(), 0.0F) {
-        for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-            if (!counts[i]) {
-                continue;
-            }
-            int parent = model.nodes[i].parent;
-            while (parent >= 0 && !counts[static_cast<std::size_t>(parent)]) {
-                parent = node_of(model, parent).parent;
-            }
-            nodes_.push_back(static_cast<int>(i));
-            if (parent >= 0) {
-                children_[static_cast<std::size_t>(parent)].push_back(static_cast<int>(i));
-            } else {
-                roots_.push_back(static_cast<int>(i));
-            }
-        }
-        measure();
-    }
-
-    [[nodiscard]] const std::vector<int>& nodes() const { return nodes_; }
-    [[nodiscard]] const std::vector<int>& children(int node) const {
-        return children_[static_cast<std::size_t>(node)];
-    }
-    [[nodiscard]] glm::vec3 place(int node) const {
-        return places_[static_cast<std::size_t>(node)];
-    }
-    [[nodiscard]] float lowest() const { return lowest_; }
-    [[nodiscard]] float height() const { return highest_ - lowest_; }
-
-    /// The longest way from a node to a leaf, the node first.
-    [[nodiscard]] std::vector<int> longest_way(int node) const {
-        std::vector<int> way = {node};
-        while (!children(way.back()).empty()) {
-            const std::vector<int>& next = children(way.back());
-            way.push_back(*std::max_element(next.begin(), next.end(), [&](int a, int b) {
-                return length_to(way.back(), a) < length_to(way.back(), b);
-            }));
-        }
-        return way;
-    }
-
-    /// Length of the longest way from a node to a leaf, metres of the file.
-    [[nodiscard]] float reach(int node) const { return reach_[static_cast<std::size_t>(node)]; }
-
-    /// Highest place at and below a node.
-    [[nodiscard]] float top(int node) const { return tops_[static_cast<std::size_t>(node)]; }
-
- private:
-    [[nodiscard]] float length_to(int from, int child) const {
-        return glm::length(place(child) - place(from)) + reach(child);
-    }
-
-    void measure() {
-        std::vector<int> order = roots_;
-        for (std::size_t next = 0; next < order.size(); ++next) {
-            order.insert(order.end(), children(order[next]).begin(), children(order[next]).end());
-        }
-        for (auto node = order.rbegin(); node != order.rend(); ++node) {
-            const auto at = static_cast<std::size_t>(*node);
-            tops_[at] = place(*node).y;
-            for (const int child : children(*node)) {
-                reach_[at] = std::max(reach_[at], length_to(*node, child));
-                tops_[at] = std::max(tops_[at], top(child));
-            }
-        }
-        for (const int node : nodes_) {
-            lowest_ = std::min(lowest_, place(node).y);
-            highest_ = std::max(highest_, place(node).y);
-        }
-    }
-
-    std::span<const glm::vec3> places_;
-    std::vector<int> nodes_;
-    std::vector<int> roots_;
-    std::vector<std::vector<int>> children_;
-    std::vector<float> reach_;  // by node
-    std::vector<float> tops_;   // by node
-    float lowest_ = INFINITY;
-    float highest_ = -INFINITY;
+/// Upper, lower and last joint of a limb, as places in the way along it. `last` is as many as the
+/// way has joints where the limb has no hand: it then ends where its flesh does.
+struct LimbJoints {
+    std::size_t upper = 0;
+    std::size_t lower = 1;
+    std::size_t last = 2;
+    float cost = std::numeric_limits<float>::infinity();
 };
-
-/// Two limbs of a figure, left at +x.
-struct LimbPair {
-    std::vector<int> left;
-    std::vector<int> right;
-};
-
-/// The two limbs that begin at children of `node`, are alike and at least three joints long, and
-/// of which `is_fit` approves. Empty: there are none.
-template <typename Fit>
-LimbPair alike_limbs(const JointShape& shape, int node, const Fit& is_fit) {
-    LimbPair best;
-    float least = kAlike;
-    const std::vector<int>& children = shape.children(node);
-    for (std::size_t i = 0; i < children.size() && i < kMostBranches; ++i) {
-        for (std::size_t j = i + 1; j < children.size() && j < kMostBranches; ++j) {
-            const float longer = std::max(shape.reach(children[i]), shape.reach(children[j]));
-            const float difference =
-                std::abs(shape.reach(children[i]) - shape.reach(children[j])) / longer;
-            if (!(difference < least)) {
-                continue;
-            }
-            const std::vector<int> a = shape.longest_way(children[i]);
-            const std::vector<int> b = shape.longest_way(children[j]);
-            if (a.size() < 3 || b.size() < 3 || !is_fit(a) || !is_fit(b)) {
-                continue;
-            }
-            least = difference;
-            const bool is_left = shape.place(a.back()).x >= shape.place(b.back()).x;
-            best = is_left ? LimbPair{a, b} : LimbPair{b, a};
-        }
-    }
-    return best;
-}
 
 class ShapeMapper {
  public:
     explicit ShapeMapper(const JointShape& shape) : shape_(shape) {}
 
     HumanoidMap map() {
-        for (const int node : shape_.nodes()) {
-            const LimbPair legs = alike_limbs(shape_, node, [this](const std::vector<int>& way) {
-                const float end = shape_.place(way.back()).y - shape_.lowest();
-                return end < 0.15F * shape_.height() &&
-                       shape_.reach(way.front()) > 0.25F * shape_.height();
-            });
-            if (!legs.left.empty() && map_trunk(node, legs)) {
-                map_leg(legs.left, Side::left);
-                map_leg(legs.right, Side::right);
-                return map_;
+        constexpr std::size_t kLegJoints = 3;
+        for (const std::size_t arm_joints : {std::size_t{3}, std::size_t{2}}) {
+            for (const int node : shape_.nodes()) {
+                const LimbPair legs =
+                    shape_.alike_limbs(node, -1, kLegJoints, [this](const std::vector<int>& way) {
+                        const float end = shape_.place(way.back()).y - shape_.lowest();
+                        return end < 0.15F * shape_.height() &&
+                               shape_.reach(way.front()) > 0.25F * shape_.height();
+                    });
+                if (!legs.left.empty() && map_trunk(node, legs, arm_joints)) {
+                    map_leg(legs.left, Side::left);
+                    map_leg(legs.right, Side::right);
+                    return map_;
+                }
+                map_ = HumanoidMap();
             }
-            map_ = HumanoidMap();
         }
         return {};
     }
@@ -180,44 +69,67 @@ class ShapeMapper {
  private:
     void set(Bone bone, int node) {
         map_.nodes[motion::index_of(bone)] = node;
+        constexpr float kByShape = 0.8F;
         map_.reasons[motion::index_of(bone)] = BoneReason::shape;
+        map_.confidence[motion::index_of(bone)] = kByShape;
     }
 
-    /// The child that leads highest, but for `others`; -1: none leads above `from`.
-    int way_up(int from, const LimbPair& others) const {
+    static bool begins_with(const LimbPair& limbs, int node) {
+        return !limbs.left.empty() && (node == limbs.left.front() || node == limbs.right.front());
+    }
+
+    /// The child that leads highest, but for `back` and what limbs begin with; where none leads
+    /// above `from`, the parent, if that does, as where hips hang under the trunk. -1: none does.
+    int way_up(int from, int back, const LimbPair& legs, const LimbPair& arms) const {
         int best = -1;
         float highest = shape_.place(from).y;
         for (const int child : shape_.children(from)) {
-            const bool is_other = (!others.left.empty() && child == others.left.front()) ||
-                                  (!others.right.empty() && child == others.right.front());
-            if (!is_other && shape_.top(child) > highest) {
+            if (child != back && !begins_with(legs, child) && !begins_with(arms, child) &&
+                shape_.top(child) > highest) {
                 highest = shape_.top(child);
                 best = child;
             }
         }
-        return best;
+        const int parent = shape_.parent(from);
+        const bool leads_up = parent >= 0 && parent != back && shape_.top_above(from) > highest;
+        return best < 0 && leads_up ? parent : best;
+    }
+
+    /// The arms that hang on a node of the trunk. Empty: none do.
+    LimbPair arms_at(int node, int back, const LimbPair& legs, std::size_t joints) const {
+        return shape_.alike_limbs(node, back, joints, [&](const std::vector<int>& way) {
+            return !begins_with(legs, way.front()) &&
+                   shape_.reach(way.front()) > 0.2F * shape_.height();
+        });
     }
 
     /// From the hips up to the arms; false: there is no trunk with arms.
-    bool map_trunk(int hips, const LimbPair& legs) {
+    bool map_trunk(int hips, const LimbPair& legs, std::size_t arm_joints) {
         std::vector<int> trunk;
-        LimbPair arms;
-        for (int node = way_up(hips, legs); node >= 0 && arms.left.empty();
-             node = way_up(node, arms)) {
-            trunk.push_back(node);
-            arms = alike_limbs(shape_, node, [this](const std::vector<int>& way) {
-                return shape_.reach(way.front()) > 0.2F * shape_.height();
-            });
-            if (!arms.left.empty()) {
-                break;
+        LimbPair arms = arms_at(hips, -1, legs, arm_joints);
+        int back = -1;
+        int node = hips;
+        while (arms.left.empty()) {
+            const int next = way_up(node, back, legs, {});
+            if (next < 0 || trunk.size() > shape_.nodes().size()) {
+                return false;
             }
+            back = node;
+            node = next;
+            trunk.push_back(node);
+            arms = arms_at(node, back, legs, arm_joints);
         }
-        const int head = arms.left.empty() ? -1 : way_up(trunk.back(), arms);
+        const int head = way_up(node, back, legs, arms);
         if (head < 0) {
             return false;
         }
+        // A root on the floor, on which hips and trunk hang side by side, is no part of the trunk.
+        const float lowest = shape_.place(hips).y - 0.05F * shape_.height();
+        std::erase_if(trunk, [&](int one) { return shape_.place(one).y < lowest; });
         set(Bone::hips, hips);
-        set(Bone::spine, trunk.front());
+        if (!trunk.empty()) {
+            set(Bone::spine, trunk.front());
+        }
         if (trunk.size() > 1) {
             set(Bone::chest, trunk[trunk.size() / 2]);
         }
@@ -225,8 +137,8 @@ class ShapeMapper {
             set(Bone::upper_chest, trunk.back());
         }
         map_head(head);
-        map_arm(arms.left, Side::left);
-        map_arm(arms.right, Side::right);
+        map_arm(arms.left, arms.right, Side::left);
+        map_arm(arms.right, arms.left, Side::right);
         return true;
     }
 
@@ -243,14 +155,84 @@ class ShapeMapper {
         }
     }
 
-    /// The joint of `way` between two others that is nearest to the middle of the way.
-    std::size_t middle_of(const std::vector<int>& way, std::size_t from, std::size_t to) const {
-        const glm::vec3 middle = (shape_.place(way[from]) + shape_.place(way[to])) * 0.5F;
-        std::size_t best = from + 1;
-        for (std::size_t i = from + 1; i < to; ++i) {
-            if (glm::length(shape_.place(way[i]) - middle) <
-                glm::length(shape_.place(way[best]) - middle)) {
-                best = i;
+    /// The place of a joint of a way; its tip behind the last.
+    glm::vec3 place_along(const std::vector<int>& way, std::size_t at) const {
+        return at < way.size() ? shape_.place(way[at]) : shape_.tip(way.back());
+    }
+
+    /// How badly three joints of a way are upper, lower and last joint of a limb: about 0 for those
+    /// that are. `usual_ratio`: of the upper bone's length to the lower one's; `usual_tail`: the
+    /// share of the whole that hangs on the last joint.
+    float cost_of(const std::vector<int>& way,
+                  const LimbJoints& joints,
+                  float usual_ratio,
+                  float usual_tail) const {
+        constexpr float kRatioSpread = 0.4F;  // of the logarithm
+        constexpr float kInFront = 1.0F;      // a collar bone is no long part of an arm
+        constexpr float kBehind = 2.0F;
+        const auto length = [&](std::size_t from, std::size_t to) {
+            float sum = 0.0F;
+            for (std::size_t i = from; i < to; ++i) {
+                sum += glm::distance(place_along(way, i), place_along(way, i + 1));
+            }
+            return sum;
+        };
+        const float upper = length(joints.upper, joints.lower);
+        const float lower = length(joints.lower, joints.last);
+        const float all = length(0, way.size());
+        if (!(upper > 0.0F) || !(lower > 0.0F)) {
+            return std::numeric_limits<float>::infinity();
+        }
+        const float ratio = std::log(upper / lower / usual_ratio) / kRatioSpread;
+        const float front = length(0, joints.upper) / all;
+        const float tail = length(joints.last, way.size()) / all;
+        return 0.5F * ratio * ratio + kInFront * front + kBehind * std::abs(tail - usual_tail);
+    }
+
+    /// What it costs if the upper joint of a limb lies on the middle line of the body, as collar
+    /// bones do: `other` is the same limb of the other side.
+    float cost_of_middle(const std::vector<int>& way,
+                         const std::vector<int>& other,
+                         std::size_t upper) const {
+        constexpr float kNarrow = 0.12F;  // of the limb's length
+        if (upper >= other.size()) {
+            return 0.0F;
+        }
+        const float apart = glm::distance(shape_.place(way[upper]), shape_.place(other[upper]));
+        return 0.5F * apart < kNarrow * shape_.reach(way[upper]) ? 1.0F : 0.0F;
+    }
+
+    /// The joints of a leg whose foot is known.
+    LimbJoints leg_joints(const std::vector<int>& way, std::size_t foot) const {
+        LimbJoints best{.upper = 0, .lower = 1, .last = foot};
+        for (std::size_t upper = 0; upper + 1 < foot; ++upper) {
+            for (std::size_t lower = upper + 1; lower < foot; ++lower) {
+                LimbJoints joints{.upper = upper, .lower = lower, .last = foot};
+                joints.cost = cost_of(way, joints, 1.05F, 0.2F);
+                best = joints.cost < best.cost ? joints : best;
+            }
+        }
+        return best;
+    }
+
+    /// The joints of an arm; `hand`: where its fingers begin, 0: they do not tell.
+    LimbJoints arm_joints(const std::vector<int>& way,
+                          const std::vector<int>& other,
+                          std::size_t hand) const {
+        constexpr float kNoHand = 0.3F;
+        LimbJoints best;
+        const std::size_t first = hand > 0 ? hand : 1;
+        const std::size_t end = hand > 0 ? hand : way.size();
+        for (std::size_t last = first; last <= end; ++last) {
+            const bool has_hand = last < way.size();
+            for (std::size_t upper = 0; upper + 1 < last; ++upper) {
+                for (std::size_t lower = upper + 1; lower < last; ++lower) {
+                    LimbJoints joints{.upper = upper, .lower = lower, .last = last};
+                    joints.cost =
+                        cost_of(way, joints, has_hand ? 1.1F : 0.65F, has_hand ? 0.22F : 0.0F) +
+                        cost_of_middle(way, other, upper) + (has_hand ? 0.0F : kNoHand);
+                    best = joints.cost < best.cost ? joints : best;
+                }
             }
         }
         return best;
@@ -269,35 +251,41 @@ class ShapeMapper {
                !goes_level(way[foot], way[foot + 1])) {
             ++foot;
         }
-        set(on_side(Bone::left_upper_leg, side), way.front());
-        set(on_side(Bone::left_lower_leg, side), way[middle_of(way, 0, foot)]);
+        const LimbJoints joints = leg_joints(way, foot);
+        set(on_side(Bone::left_upper_leg, side), way[joints.upper]);
+        set(on_side(Bone::left_lower_leg, side), way[joints.lower]);
         set(on_side(Bone::left_foot, side), way[foot]);
         if (foot + 1 < way.size()) {
             set(on_side(Bone::left_toes, side), way[foot + 1]);
         }
     }
 
-    void map_arm(const std::vector<int>& way, Side side) {
-        std::size_t hand = way.size() - 1;
+    /// Where fingers begin, as a place in the way; 0: nowhere.
+    std::size_t fingers_of(const std::vector<int>& way) const {
+        std::size_t hand = 0;
         for (std::size_t i = way.size(); i-- > 2;) {
-            hand = shape_.children(way[i]).size() > 2 ? i : hand;  // where fingers begin
+            hand = shape_.children(way[i]).size() > 2 ? i : hand;
         }
         const auto length = [&](std::size_t i) {
             return glm::length(shape_.place(way[i + 1]) - shape_.place(way[i]));
         };
-        if (hand > 2 && length(hand - 1) < 0.25F * length(hand - 2)) {
-            --hand;  // a joint in the palm that carries the fingers
+        // A joint in the palm that carries the fingers.
+        return hand > 2 && length(hand - 1) < 0.25F * length(hand - 2) ? hand - 1 : hand;
+    }
+
+    void map_arm(const std::vector<int>& way, const std::vector<int>& other, Side side) {
+        const LimbJoints joints = arm_joints(way, other, fingers_of(way));
+        if (joints.lower >= way.size()) {
+            return;
         }
-        const std::size_t upper = hand > 2 && length(0) < 0.8F * length(1) ? 1 : 0;
-        if (hand == way.size() - 1 && hand > upper + 2) {
-            hand = upper + 2;  // no fingers that would tell: what follows is the tip
-        }
-        if (upper > 0) {
+        if (joints.upper > 0) {
             set(on_side(Bone::left_shoulder, side), way.front());
         }
-        set(on_side(Bone::left_upper_arm, side), way[upper]);
-        set(on_side(Bone::left_lower_arm, side), way[middle_of(way, upper, hand)]);
-        set(on_side(Bone::left_hand, side), way[hand]);
+        set(on_side(Bone::left_upper_arm, side), way[joints.upper]);
+        set(on_side(Bone::left_lower_arm, side), way[joints.lower]);
+        if (joints.last < way.size()) {
+            set(on_side(Bone::left_hand, side), way[joints.last]);
+        }
     }
 
     const JointShape& shape_;
@@ -316,14 +304,17 @@ bool is_mapped(const HumanoidMap& humanoid, Bone bone) {
 
 }  // namespace
 
-HumanoidMap map_by_shape(const Model& model, std::span<const glm::vec3> places) {
+HumanoidMap map_by_shape(const Model& model,
+                         std::span<const glm::vec3> places,
+                         const NodeFlesh& flesh) {
     HumanoidMap map;
     // Skins first: where they hold a figure, other nodes only confuse.
     for (const bool takes_all : {false, true}) {
         const JointShape shape(
             model,
             places,
-            takes_all ? std::vector<bool>(model.nodes.size(), true) : skin_joints(model));
+            flesh,
+            takes_all ? std::vector<bool>(model.nodes.size(), true) : skin_joints(model, flesh));
         if (map.nodes[0] < 0 && shape.nodes().size() <= kMostShapeJoints) {
             map = ShapeMapper(shape).map();
         }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "render/import/joint_shape.hpp"
 #include "render/model/model.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -13,9 +14,14 @@ namespace raks::render {
 
 /// The bones of a standing figure without names: two equal limbs that end lowest are the legs,
 /// what they hang on the hips, the way from there to two more equal limbs the trunk, beyond them
-/// the head. Fingers are left open. Left is +x where the feet do not tell. Empty where there is no
-/// such figure. `places`: of all nodes, standing, y up.
-[[nodiscard]] HumanoidMap map_by_shape(const Model& model, std::span<const glm::vec3> places);
+/// the head. The trunk may hang on the hips or carry them. Of the joints along a limb those three
+/// count that make it a limb by their lengths: helper joints and collar bones are passed over. An
+/// arm may end without a hand, a trunk be one joint. Fingers are left open. Left is +x where the
+/// feet do not tell. Empty where there is no such figure. `places`: of all nodes, standing, y up;
+/// `flesh`: what moves nothing of the skin is no joint; empty: it is not known.
+[[nodiscard]] HumanoidMap map_by_shape(const Model& model,
+                                       std::span<const glm::vec3> places,
+                                       const NodeFlesh& flesh = {});
 
 /// Where the feet point, level, of length 1: from foot to toes, else to the middle of the foot's
 /// vertices. None: no foot tells, or they point apart.

@@ -12,9 +12,13 @@
 #include "base/suggest.hpp"
 #include "motion/skeleton/humanoid.hpp"
 #include "render/import/bind_places.hpp"
+#include "render/import/body_parents.hpp"
+#include "render/import/humanoid_labels.hpp"
+#include "render/import/humanoid_map.hpp"
 #include "render/import/model_reader.hpp"
 #include "render/import/node_tree.hpp"
 #include "render/model/animation_channel.hpp"
+#include "render/model/model_survey.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -52,13 +56,16 @@ glm::dquat turn_of(const glm::dmat4& matrix) {
 class ModelMotion {
  public:
     ModelMotion(const Model& model, const ModelAnimation& animation)
-        : model_(model), order_(parents_first(model)), moved_(model.nodes.size()) {
+        : model_(model),
+          hung_(body_parents(model).parents),
+          order_(parents_first(model)),
+          moved_(model.nodes.size()) {
         for (const AnimationChannel& channel : animation.channels) {
             take(channel);
         }
     }
 
-    Expected<motion::MotionClip> clip(std::optional<double> rate) {
+    Expected<ModelClip> clip(std::optional<double> rate) {
         choose_nodes();
         if (nodes_.empty() || !has_keys_) {
             return fail("its clip moves no joints");
@@ -86,7 +93,8 @@ class ModelMotion {
                 return fail("its clip has joints farther apart than 1,000 km");
             }
         }
-        return std::move(clip_);
+        take_body();
+        return ModelClip{std::move(clip_), std::move(nodes_)};
     }
 
  private:
@@ -110,14 +118,14 @@ class ModelMotion {
     void choose_nodes() {
         std::vector<bool> is_joint(model_.nodes.size(), false);
         names_.resize(model_.nodes.size());
-        const auto& bones = model_.character.humanoid.nodes;
-        for (std::size_t bone = 0; bone < bones.size(); ++bone) {
-            if (bones[bone] >= 0) {
-                is_joint[static_cast<std::size_t>(bones[bone])] = true;
-                names_[static_cast<std::size_t>(bones[bone])] = motion::kBoneNames[bone];
+        const HumanoidMap& humanoid = model_.character.humanoid;
+        is_humanoid_ = humanoid.nodes[0] >= 0 && humanoid.reasons[0] == BoneReason::stated;
+        for (std::size_t bone = 0; bone < humanoid.nodes.size() && is_humanoid_; ++bone) {
+            if (const int node = humanoid.nodes[bone]; node >= 0) {
+                is_joint[static_cast<std::size_t>(node)] = true;
+                names_[static_cast<std::size_t>(node)] = motion::kBoneNames[bone];
             }
         }
-        is_humanoid_ = std::find(is_joint.begin(), is_joint.end(), true) != is_joint.end();
         if (!is_humanoid_) {
             for (const ModelSkin& skin : model_.skins) {
                 for (const int joint : skin.joints) {
@@ -129,20 +137,47 @@ class ModelMotion {
                     is_joint[node] = moved_[node].is_moved();
                 }
             }
+            for (const int node : humanoid.nodes) {
+                if (node >= 0) {
+                    is_joint[static_cast<std::size_t>(node)] = true;
+                }
+            }
         }
         joint_of_.assign(model_.nodes.size(), -1);
-        for (const int node : order_) {
-            const auto at = static_cast<std::size_t>(node);
-            if (is_joint[at]) {
-                joint_of_[at] = static_cast<int>(nodes_.size());
-                nodes_.push_back(at);
+        for (const std::size_t node : parents_first(hung_)) {
+            if (is_joint[node]) {
+                joint_of_[node] = static_cast<int>(nodes_.size());
+                nodes_.push_back(node);
             }
         }
     }
 
+    // The body that was found in the model, as the joints of the clip.
+    void take_body() {
+        const HumanoidMap& humanoid = model_.character.humanoid;
+        if (humanoid.nodes[0] < 0) {
+            return;
+        }
+        motion::KnownBody known;
+        for (std::size_t bone = 0; bone < humanoid.nodes.size(); ++bone) {
+            if (const int node = humanoid.nodes[bone]; node >= 0) {
+                const int joint = joint_of_[static_cast<std::size_t>(node)];
+                known.mapping.joints[bone] = static_cast<std::size_t>(joint);
+                known.reasons[bone] = words_of(humanoid.reasons[bone]);
+                known.confidence[bone] = static_cast<double>(humanoid.confidence[bone]);
+            }
+        }
+        const ModelSurvey measured = survey(model_);
+        if (measured.box && measured.box->high.y > measured.box->low.y) {
+            known.height = static_cast<double>(measured.box->high.y - measured.box->low.y);
+        }
+        known.facing = measured.facing_degrees;
+        clip_.known = std::move(known);
+    }
+
     // The joint above a node: that of the next node above which is one. -1: none is.
     int joint_above(std::size_t node) const {
-        for (int up = model_.nodes[node].parent; up >= 0; up = node_of(model_, up).parent) {
+        for (int up = hung_[node]; up >= 0; up = hung_[static_cast<std::size_t>(up)]) {
             if (joint_of_[static_cast<std::size_t>(up)] >= 0) {
                 return joint_of_[static_cast<std::size_t>(up)];
             }
@@ -244,6 +279,7 @@ class ModelMotion {
     }
 
     const Model& model_;
+    std::vector<int> hung_;                   // parent of each node, as a body is built
     std::vector<int> order_;                  // nodes, parents first
     std::vector<NodeChannels> moved_;         // by node
     const AnimationChannel* keys_ = nullptr;  // of the most keys
@@ -282,13 +318,21 @@ Expected<std::size_t> find_animation(const Model& model, const std::string& name
 Expected<motion::MotionClip> model_motion(const Model& model,
                                           std::size_t animation,
                                           std::optional<double> frames_per_second) {
+    auto moved = model_clip(model, animation, frames_per_second);
+    return moved ? Expected<motion::MotionClip>(std::move(moved->clip))
+                 : fail(std::move(moved.error()));
+}
+
+Expected<ModelClip> model_clip(const Model& model,
+                               std::size_t animation,
+                               std::optional<double> frames_per_second) {
     return ModelMotion(model, model.animations[animation]).clip(frames_per_second);
 }
 
 Expected<motion::MotionClip> read_model_motion(const std::filesystem::path& file,
                                                const std::string& clip,
                                                std::optional<double> frames_per_second) {
-    const auto model = load_model(file);
+    auto model = load_model(file);
     if (!model) {
         return fail(model.error());
     }
@@ -296,6 +340,16 @@ Expected<motion::MotionClip> read_model_motion(const std::filesystem::path& file
     if (!animation) {
         return fail(Error(animation.error()).in(printable(file.string())));
     }
+    std::optional<BoneLabels> labels;
+    if (const std::filesystem::path beside = labels_beside(file); !beside.empty()) {
+        auto read = load_labels(beside);
+        if (!read) {
+            return fail(std::move(read.error()));
+        }
+        labels = std::move(*read);
+    }
+    // One without a body is motion, too.
+    static_cast<void>(map_humanoid(*model, labels ? &*labels : nullptr));
     auto motion = model_motion(*model, *animation, frames_per_second);
     if (!motion) {
         return fail(std::move(motion.error()).in(printable(file.string())));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/expected.hpp"
 #include "motion/skeleton/motion_clip.hpp"
@@ -18,9 +19,11 @@ namespace raks::render {
 
 /// A clip of a model as motion of its joints, in metres and y up, as glTF has it: the humanoid's
 /// bones where the file names them (VRM, VRMA; they then have VRM's names), else the joints of its
-/// skins, else the nodes that the clip moves. Other nodes are not joints, but what they turn, move
-/// and scale is in the joints' places. Rest is the T-pose of VRM, the pose in which the skins were
-/// bound, or else that of the nodes as stored; there joints have the world's axes.
+/// skins, else the nodes that the clip moves; and the bones of a humanoid that was found in it
+/// (map_humanoid), which then is MotionClip::known, with the height and the facing of the model at
+/// rest, and hangs together as a body does (body_parents). Other nodes are not joints, but what
+/// they turn, move and scale is in the joints' places. Rest is the T-pose of VRM, the pose in which
+/// the skins were bound, or else that of the nodes as stored; there joints have the world's axes.
 ///
 /// Sampled from the clip's first key to its last at `frames_per_second`, or where none is given at
 /// the rate of its keys if they are even, else at 60. Errors, without the file's name: no joints or
@@ -29,9 +32,21 @@ namespace raks::render {
                                                         std::size_t animation,
                                                         std::optional<double> frames_per_second);
 
-/// The same from a file; `clip` is the animation's name, or empty for the first. What was repaired
-/// in the file is among the warnings, and so are the other clips in it. Errors: also those of
-/// load_model, with the file's name.
+/// The clip with the node of each of its joints.
+struct ModelClip {
+    motion::MotionClip clip;
+    std::vector<std::size_t> nodes;  ///< by joint
+};
+
+/// The same as model_motion.
+[[nodiscard]] Expected<ModelClip> model_clip(const Model& model,
+                                             std::size_t animation,
+                                             std::optional<double> frames_per_second);
+
+/// The same from a file, whose figure is looked for before (map_humanoid, with the label file
+/// beside it, if there is one). `clip` is the animation's name, or empty for the first. What was
+/// repaired in the file is among the warnings, and so are the other clips in it. Errors: also those
+/// of load_model, with the file's name.
 [[nodiscard]] Expected<motion::MotionClip> read_model_motion(
     const std::filesystem::path& file,
     const std::string& clip,

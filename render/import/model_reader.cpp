@@ -62,11 +62,26 @@ std::string known_endings() {
     return list;
 }
 
-const Format* format_of(const std::filesystem::path& path) {
+std::string ending_in_small(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
         return static_cast<char>(std::tolower(c));
     });
+    return ending;
+}
+
+// Why a file is none that is read, and what to do where something can be done.
+std::string refusal_of_name(const std::filesystem::path& path) {
+    const std::string ending = ending_in_small(path);
+    if (ending == ".pmx" || ending == ".pmd") {
+        return "is a model of MikuMikuDance, which Raks does not read; convert it to VRM, in "
+               "Blender with MMD Tools and the VRM add-on";
+    }
+    return fmt::format("is not a model that Raks reads; it reads {}", known_endings());
+}
+
+const Format* format_of(const std::filesystem::path& path) {
+    const std::string ending = ending_in_small(path);
     const auto* const found =
         std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
             return format.ending == ending;
@@ -92,7 +107,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
                            const SideFiles& side) {
     const Format* const format = format_of(name);
     if (format == nullptr) {
-        return fail(fmt::format("is not a model that Raks reads; it reads {}", known_endings()));
+        return fail(refusal_of_name(name));
     }
     auto model = format->read(bytes, side);
     if (model) {
@@ -107,8 +122,7 @@ Expected<Model> read_model(std::span<const std::byte> bytes,
 Expected<Model> load_model(const std::filesystem::path& path) {
     const std::string shown = printable(path.string());
     if (!is_model_name(path)) {
-        return fail(
-            fmt::format("{}: is not a model that Raks reads; it reads {}", shown, known_endings()));
+        return fail(shown + ": " + refusal_of_name(path));
     }
     const auto file = read_file(path, kLargestFile);
     if (!file) {

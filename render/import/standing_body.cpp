@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "render/import/bind_places.hpp"
+#include "render/import/body_parents.hpp"
 #include "render/import/humanoid_map.hpp"
 #include "render/import/humanoid_shape.hpp"
 #include "render/import/model_warnings.hpp"
@@ -40,48 +43,6 @@ int node_of_bone(const HumanoidMap& humanoid, Bone bone) {
     return humanoid.nodes[motion::index_of(bone)];
 }
 
-/// Whether `node` is `ancestor` or lies below it, by these parents.
-bool hangs_on(const std::vector<int>& parents, int node, int ancestor) {
-    for (int up = node; up >= 0; up = parents[static_cast<std::size_t>(up)]) {
-        if (up == ancestor) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// Moves bones that hang elsewhere below the bones of which they are parts.
-std::vector<int> parents_of_bones(Model& model) {
-    std::vector<int> parents;
-    for (const ModelNode& node : model.nodes) {
-        parents.push_back(node.parent);
-    }
-    const HumanoidMap& humanoid = model.character.humanoid;
-    for (int bone = 0; bone < motion::kBoneCount; ++bone) {
-        const int parent_bone = mapped_parent(humanoid, bone);
-        int node = humanoid.nodes[static_cast<std::size_t>(bone)];
-        if (node < 0 || parent_bone < 0) {
-            continue;
-        }
-        const int parent = humanoid.nodes[static_cast<std::size_t>(parent_bone)];
-        if (hangs_on(parents, node, parent) || hangs_on(parents, parent, node)) {
-            continue;
-        }
-        // As far up as it carries nothing that carries the parent, too.
-        while (parents[static_cast<std::size_t>(node)] >= 0 &&
-               !hangs_on(parents, parent, parents[static_cast<std::size_t>(node)])) {
-            node = parents[static_cast<std::size_t>(node)];
-        }
-        parents[static_cast<std::size_t>(node)] = parent;
-        warn(model,
-             fmt::format("\"{}\" ({}) does not lie below the {}; it is moved there",
-                         node_of(model, node).name,
-                         motion::kBoneNames[static_cast<std::size_t>(bone)],
-                         motion::kBoneNames[static_cast<std::size_t>(parent_bone)]));
-    }
-    return parents;
-}
-
 glm::quat turn_to_front(const Model& model, std::span<const glm::vec3> places) {
     const Character& character = model.character;
     if (character.vrm != VrmVersion::none) {
@@ -100,7 +61,9 @@ class Straightener {
     Straightener(const Model& model, std::span<const glm::mat4> world)
         : humanoid_(model.character.humanoid), world_(world), places_(places_of(world)) {
         rotations_.fill(glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
-        if (humanoid_.is_of_parts) {
+        const bool lacks_hand = node_of_bone(humanoid_, Bone::left_hand) < 0 ||
+                                node_of_bone(humanoid_, Bone::right_hand) < 0;
+        if (humanoid_.is_of_parts || lacks_hand) {
             flesh_ = flesh_directions(model, world);
         }
     }
@@ -170,7 +133,7 @@ class Straightener {
     const HumanoidMap& humanoid_;
     std::span<const glm::mat4> world_;
     std::vector<glm::vec3> places_;
-    std::vector<glm::vec3> flesh_;  // of parts (flesh_directions)
+    std::vector<glm::vec3> flesh_;  // of parts, and for want of a hand (flesh_directions)
     std::array<glm::quat, motion::kBoneCount> rotations_{};
 };
 
@@ -199,7 +162,11 @@ float height_of(const Model& model,
 StandingBody stand_up(Model& model, std::optional<float> height) {
     StandingBody body;
     const bool is_vrm = model.character.vrm != VrmVersion::none;
-    body.parents = parents_of_bones(model);
+    BodyParents hung = body_parents(model);
+    body.parents = std::move(hung.parents);
+    for (const std::string& note : hung.notes) {
+        warn(model, note);
+    }
     body.world = is_vrm ? rest_world(model) : bind_world(model);
     body.turn = turn_to_front(model, places_of(body.world));
     const glm::mat4 turn = glm::mat4_cast(body.turn);

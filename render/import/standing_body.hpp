@@ -18,9 +18,7 @@ namespace raks::render {
 /// Joint matrices are as glTF has them: world x inverse bind. The pose in which all rotations of a
 /// motion are the identity is `world` with `straighten` applied bone by bone.
 struct StandingBody {
-    /// Parent of each node: the file's, but that a bone which hangs elsewhere (feet of a rig for
-    /// inverse kinematics) is moved below the bone of which it is a part, with all that carries it
-    /// alone. Acyclic.
+    /// Parent of each node (body_parents). Acyclic.
     std::vector<int> parents;
     /// World from each node, in the file's unit, turned so that the body faces +z. VRM: the
     /// nodes as stored, which is the T-pose; all others: as the skin was bound.
@@ -30,8 +28,8 @@ struct StandingBody {
     glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F};
     /// For each bone the rotation, in the turned world, from `world` to the T-pose: arms along +x
     /// and -x, legs down, by what hangs on them, or as a label says; a rigid part that is a whole
-    /// limb by its flesh. The identity for trunk, head, shoulders, feet and toes, for bones that
-    /// are not there, and for all of VRM.
+    /// limb, and a forearm without a hand, by their flesh. The identity for trunk, head, shoulders,
+    /// feet and toes, for bones that are not there, and for all of VRM.
     std::array<glm::quat, motion::kBoneCount> straighten;
     /// Of the mesh, else of the joints, in the file's unit; above 0.
     float height = 1.0F;

@@ -282,7 +282,7 @@ std::map<std::string, int> add_tds_materials(const TdsFile& file,
         }
         adder.add(material);
     }
-    keep_images_within_memory(model);
+    leave_out_images_beyond_reason(model);
     return names;
 }
 

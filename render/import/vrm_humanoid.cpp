@@ -34,6 +34,7 @@ int* place_of_bone(HumanoidMap& humanoid, std::string_view name) {
     }
     const auto bone = static_cast<std::size_t>(found - motion::kBoneNames.begin());
     humanoid.reasons[bone] = BoneReason::stated;
+    humanoid.confidence[bone] = 1.0F;
     return &humanoid.nodes[bone];
 }
 
@@ -134,7 +135,7 @@ void read_human_bones0(const JsonField& bones, Model& model) {
 }
 
 Expected<void> check_required_bones(const HumanoidMap& humanoid) {
-    const std::string missing = missing_bones(humanoid);
+    const std::string missing = missing_bones(humanoid, kRequiredBones);
     if (!missing.empty()) {
         return fail(fmt::format("its skeleton has no {}", missing));
     }

@@ -84,6 +84,7 @@ class WornModel {
             add_node(std::string(motion::kBoneNames[b]), parent, world.positions[b]);
             model_.character.humanoid.nodes[b] = static_cast<int>(b);
             model_.character.humanoid.reasons[b] = BoneReason::stated;
+            model_.character.humanoid.confidence[b] = 1.0F;
         }
     }
 

@@ -18,7 +18,7 @@
 
 namespace raks::render {
 
-/// The 15 bones without which no figure dances (VRM 1.0).
+/// The 15 bones that VRM 1.0 asks for.
 inline constexpr std::array<motion::Bone, 15> kRequiredBones = {
     motion::Bone::hips,
     motion::Bone::spine,
@@ -43,7 +43,8 @@ enum class BoneReason : std::uint8_t {
     stated,   ///< the file says so
     label,    ///< a label file says so
     name,     ///< by the node's name
-    shape,    ///< by the tree of nodes and where they are
+    shape,    ///< by the tree of nodes, where they are and what they move
+    motion,   ///< by how the model's own clip moves
     swapped,  ///< by its name, on the other side than the name says
 };
 
@@ -56,6 +57,9 @@ struct HumanoidMap {
         return none;
     }();
     std::array<BoneReason, motion::kBoneCount> reasons{};
+    /// How sure each is: 0 (not found) to 1 (the file or a person says so). Below 0.7: the picture
+    /// speaks against it.
+    std::array<float, motion::kBoneCount> confidence{};
     /// Where bones point at rest, in the axes of their nodes, as a label file says; 0: it does not.
     std::array<glm::vec3, motion::kBoneCount> axes{};
     /// Rigid parts that no skin joins: one of them may be a whole limb, or trunk and head.

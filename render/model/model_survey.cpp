@@ -138,7 +138,12 @@ void survey_bones(const Model& model, const std::vector<glm::mat4>& world, Model
     if (node(Bone::left_upper_leg) >= 0 && node(Bone::right_upper_leg) >= 0) {
         glm::vec3 across = place(Bone::left_upper_leg) - place(Bone::right_upper_leg);
         across.y = 0.0F;
-        survey.facing = level_axis_of(glm::cross(across, glm::vec3(0.0F, 1.0F, 0.0F)));
+        const glm::vec3 ahead = glm::cross(across, glm::vec3(0.0F, 1.0F, 0.0F));
+        survey.facing = level_axis_of(ahead);
+        if (!survey.facing.empty()) {
+            survey.facing_degrees = glm::degrees(
+                std::atan2(static_cast<double>(ahead.x), static_cast<double>(ahead.z)));
+        }
     }
     if (node(Bone::left_foot) >= 0 && node(Bone::left_toes) >= 0) {
         survey.toe_direction = level_axis_of(place(Bone::left_toes) - place(Bone::left_foot));

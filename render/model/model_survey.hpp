@@ -61,6 +61,7 @@ struct ModelSurvey {
     /// Where the figure looks in the rest pose, and where its left foot points: "+Z", and the
     /// cosine where it is far from the axis: "-X(0.76)". Empty: not known.
     std::string facing;
+    std::optional<double> facing_degrees;  ///< the same about y: 0 is +z, +90 is +x
     std::string toe_direction;
 };
 

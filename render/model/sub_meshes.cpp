@@ -6,25 +6,6 @@
 namespace raks::render {
 namespace {
 
-/// The textures that a material uses.
-std::vector<TextureUse> textures_of(const ModelMaterial& material) {
-    std::vector<TextureUse> uses = {material.base_texture,
-                                    material.metallic_roughness_texture,
-                                    material.normal_texture,
-                                    material.occlusion_texture,
-                                    material.emissive_texture};
-    if (const auto& mtoon = material.mtoon) {
-        uses.insert(uses.end(),
-                    {mtoon->shade_texture,
-                     mtoon->shading_shift_texture,
-                     mtoon->matcap_texture,
-                     mtoon->rim_texture,
-                     mtoon->outline_width_texture,
-                     mtoon->uv_mask_texture});
-    }
-    return uses;
-}
-
 std::vector<std::pair<int, int>> texture_sizes(const Model& model, int material) {
     std::vector<std::pair<int, int>> sizes;
     if (material < 0) {
@@ -57,6 +38,38 @@ void count_weights(const ModelPrimitive& primitive, SubMesh& part) {
 }
 
 }  // namespace
+
+std::vector<TextureUse> textures_of(const ModelMaterial& material) {
+    std::vector<TextureUse> uses = {material.base_texture,
+                                    material.metallic_roughness_texture,
+                                    material.normal_texture,
+                                    material.occlusion_texture,
+                                    material.emissive_texture};
+    if (const auto& mtoon = material.mtoon) {
+        uses.insert(uses.end(),
+                    {mtoon->shade_texture,
+                     mtoon->shading_shift_texture,
+                     mtoon->matcap_texture,
+                     mtoon->rim_texture,
+                     mtoon->outline_width_texture,
+                     mtoon->uv_mask_texture});
+    }
+    return uses;
+}
+
+std::vector<bool> used_images(const Model& model) {
+    std::vector<bool> is_used(model.images.size(), false);
+    for (const ModelMaterial& material : model.materials) {
+        for (const TextureUse& use : textures_of(material)) {
+            const int image =
+                use.texture < 0 ? -1 : model.textures[static_cast<std::size_t>(use.texture)].image;
+            if (image >= 0) {
+                is_used[static_cast<std::size_t>(image)] = true;
+            }
+        }
+    }
+    return is_used;
+}
 
 std::vector<SubMesh> sub_meshes(const Model& model) {
     std::vector<SubMesh> parts;

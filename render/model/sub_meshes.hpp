@@ -26,6 +26,11 @@ struct SubMesh {
     std::optional<ModelBox> box;                ///< at rest, in the file's metres
 };
 
+/// The textures that a material uses; of some the texture is -1: none.
+[[nodiscard]] std::vector<TextureUse> textures_of(const ModelMaterial& material);
+/// Of each image whether a material uses it.
+[[nodiscard]] std::vector<bool> used_images(const Model& model);
+
 /// Those of all nodes that are shown, in the order of the nodes. Threads: any. Real-time: no.
 [[nodiscard]] std::vector<SubMesh> sub_meshes(const Model& model);
 

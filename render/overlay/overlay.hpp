@@ -112,6 +112,8 @@ struct OverlayState {
     int figure_counts = 8;
     // Sound.
     std::string_view source{};  ///< file name or device
+    /// What a player says that it plays there; empty: none does.
+    std::string_view song{};
     /// What a tagger calls the music, the strongest word first; empty ones are not shown.
     std::array<std::string_view, 3> tags{};
     float level_dbfs = -120.0F;     ///< rms, >= -120

@@ -68,7 +68,8 @@ void draw_state_sign(const Pen& pen, const OverlayState& state, float x, float y
 /// "1:05 / 3:20", or in words where there is no position.
 std::string time_text(const OverlayState& state) {
     if (!state.position) {
-        return state.is_paused ? "paused" : "live";
+        const std::string_view how = state.is_paused ? "paused" : "live";
+        return state.song.empty() ? std::string(how) : fmt::format("{}   {}", how, state.source);
     }
     std::string text = clock_text(*state.position);
     if (state.duration) {
@@ -129,7 +130,9 @@ OverlayControls draw_source(const Pen& pen, const OverlayState& state, const Can
              left,
              box.y + 13.0F,
              palette::kText,
-             state.source.empty() ? "no source" : state.source,
+             !state.song.empty()    ? state.song
+             : state.source.empty() ? "no source"
+                                    : state.source,
              Align::left,
              right - left);
     // Only a source of known length has a position bar; without it the time moves up.

@@ -66,20 +66,25 @@ bool pane_row(const PaneFrame& frame, const Box& box, const PaneRow& row) {
     } else {
         pen.ring(box.x + kIndent / 2.0F, middle, kSwatch - 1.0F, row.swatch);
     }
-    const float note = pen.width_of(pen.fonts().small, row.note);
-    pen.text(pen.fonts().body,
-             box.x + kIndent,
-             middle_of(pen, box, pen.fonts().body),
-             row.text,
-             row.name,
-             Align::left,
-             box.width - kIndent - note - 16.0F);
+    constexpr float kRight = 8.0F;
+    const float name = pen.text(pen.fonts().body,
+                                box.x + kIndent,
+                                middle_of(pen, box, pen.fonts().body),
+                                row.text,
+                                row.name,
+                                Align::left,
+                                box.width - kIndent - kRight);
+    const float room = box.width - kIndent - name - 2.0F * kRight;
+    if (room < pen.width_of(pen.fonts().small, "...")) {
+        return item.is_clicked;
+    }
     pen.text(pen.fonts().small,
-             box.right() - 8.0F,
+             box.right() - kRight,
              middle_of(pen, box, pen.fonts().small),
              palette::kDim,
              row.note,
-             Align::right);
+             Align::right,
+             room);
     return item.is_clicked;
 }
 

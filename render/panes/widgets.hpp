@@ -44,7 +44,7 @@ enum class ButtonLook : std::uint8_t {
 /// A row of a list: a round swatch, a name, and a short note at its right end.
 struct PaneRow {
     std::string_view name;         ///< also the item's name: its own in the frame
-    std::string_view note;         ///< may be empty
+    std::string_view note;         ///< cut where the name leaves it no room; may be empty
     Colour swatch;                 ///< of the colour that it stands for
     Colour text = palette::kText;  ///< of its name
     bool is_chosen = false;        ///< highlighted

@@ -105,8 +105,11 @@ glm::vec3 Camera::position() const noexcept {
 }
 
 glm::mat4 Camera::view_from_world() const noexcept {
-    // The pitch stays below 85 degrees, so "up" never coincides with the line of sight.
-    return glm::lookAt(position(), target, glm::vec3(0.0F, 1.0F, 0.0F));
+    // The pitch stays below 90 degrees, so "up" never coincides with the line of sight.
+    const glm::mat4 upright = glm::lookAt(position(), target, glm::vec3(0.0F, 1.0F, 0.0F));
+    return roll == 0.0F
+               ? upright
+               : glm::rotate(glm::mat4(1.0F), -roll, glm::vec3(0.0F, 0.0F, 1.0F)) * upright;
 }
 
 glm::mat4 Camera::clip_from_view(float aspect) const noexcept {

@@ -30,6 +30,7 @@ struct Camera {
     float distance = 5.2F;             ///< from `target`
     /// Point looked at, world space.
     glm::vec3 target{0.0F, 0.84F, 0.0F};
+    float roll = 0.0F;  ///< how far it leans to its left; only a camera's motion makes it lean
     /// Field of view from the lower to the upper edge; wider in narrow pictures.
     float vertical_fov = glm::radians(26.0F);
 

@@ -29,6 +29,40 @@ class ShownModels : public ::testing::Test {
     std::string motion_;
 };
 
+TEST(NamedNodes, are_the_chosen_one_and_those_next_to_it_else_the_bones_that_a_figure_needs) {
+    const auto node = [](int number, int parent, bool is_needed) {
+        SeenNode one;
+        one.node = number;
+        one.parent = parent;
+        one.is_needed = is_needed;
+        return one;
+    };
+    // Arm, hand, two fingers, the tip of one.
+    const std::vector<SeenNode> nodes = {node(1, -1, true),
+                                         node(2, 1, true),
+                                         node(3, 2, false),
+                                         node(4, 2, false),
+                                         node(5, 3, false)};
+    const auto named = [&](const SkeletonLook& look) {
+        std::string names;
+        const std::vector<bool> is_named = named_nodes(nodes, look);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            names += is_named[i] ? std::to_string(nodes[i].node) : "";
+        }
+        return names;
+    };
+    EXPECT_EQ(named({}), "");
+    EXPECT_EQ(named({.chosen = 3}), "3");
+    EXPECT_EQ(named({.chosen = 3, .pointed = 4}), "34");
+    EXPECT_EQ(named({.has_names = true}), "12");
+    EXPECT_EQ(named({.has_names = true, .pointed = 5}), "125");
+    EXPECT_EQ(named({.has_names = true, .chosen = 2}), "1234");
+    EXPECT_EQ(named({.has_names = true, .chosen = 5}), "35");
+    // A thing has no bones.
+    EXPECT_EQ(named_nodes({node(7, -1, false), node(8, 7, false)}, {.has_names = true}),
+              (std::vector<bool>{true, true}));
+}
+
 TEST_F(ShownModels, a_figure_fills_the_picture_from_every_side_and_no_bone_is_cut_off) {
     const auto model = load();
     ASSERT_TRUE(model) << model.error().message;

@@ -183,9 +183,10 @@ TEST_F(XbodyPanes, a_node_that_is_picked_is_seen_in_the_tree_though_its_branch_w
 TEST_F(XbodyPanes, a_click_near_a_bone_in_the_view_picks_it) {
     const Box& view = layout().view;
     const glm::vec2 middle(view.x + view.width / 2.0F, view.y + view.height / 2.0F);
-    view_.seen.skeleton.push_back({3, middle + glm::vec2(4.0F, 3.0F), {}, NodeKind::bone, "here"});
     view_.seen.skeleton.push_back(
-        {4, middle + glm::vec2(40.0F, 0.0F), {}, NodeKind::bone, "there"});
+        {3, -1, middle + glm::vec2(4.0F, 3.0F), {}, NodeKind::bone, "here"});
+    view_.seen.skeleton.push_back(
+        {4, -1, middle + glm::vec2(40.0F, 0.0F), {}, NodeKind::bone, "there"});
     click(view);
     EXPECT_EQ(session_.node, 3);
     EXPECT_FALSE(picked_);
@@ -194,7 +195,8 @@ TEST_F(XbodyPanes, a_click_near_a_bone_in_the_view_picks_it) {
 TEST_F(XbodyPanes, a_click_away_from_all_bones_that_are_drawn_asks_for_the_surface_there) {
     const Box& view = layout().view;
     const glm::vec2 middle(view.x + view.width / 2.0F, view.y + view.height / 2.0F);
-    view_.seen.skeleton.push_back({3, middle + glm::vec2(20.0F, 0.0F), {}, NodeKind::bone, "off"});
+    view_.seen.skeleton.push_back(
+        {3, -1, middle + glm::vec2(20.0F, 0.0F), {}, NodeKind::bone, "off"});
     click(view);
     EXPECT_EQ(picked_, middle);
     picked_.reset();
@@ -267,7 +269,7 @@ TEST_F(XbodyPanes, a_drag_in_the_view_turns_the_camera_and_picks_nothing) {
     const Box& view = layout().view;
     const float x = view.x + view.width / 2.0F;
     const float y = view.y + view.height / 2.0F;
-    view_.seen.skeleton.push_back({3, {x + 60.0F, y}, {}, NodeKind::bone, "here"});
+    view_.seen.skeleton.push_back({3, -1, {x + 60.0F, y}, {}, NodeKind::bone, "here"});
     pointer_ = {x + 60.0F, y};
     const float yaw = session_.camera.yaw;
     frames({MouseButtonEvent{MouseButton::left, true, x, y},

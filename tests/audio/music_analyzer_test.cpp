@@ -299,5 +299,52 @@ TEST(MusicAnalyzer, hints_the_recognised_dance_to_the_beat_tracker) {
     EXPECT_TRUE(is_heeded);
 }
 
+// A song behind another one is heard as well as by itself, and nothing is allocated for it.
+TEST(MusicAnalyzer, a_song_that_begins_is_heard_as_if_nothing_had_been_before) {
+    const GeneratedMusic before = music(Style::backbeat, {{0.0, 171.0}}, 12.0);
+    const GeneratedMusic song = music(Style::drums, {{0.0, 104.0}}, 8.0);
+    const std::vector<MusicState> alone = listen(song);
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped(song.rate)));
+    Collect collect;
+    analyzer.process(before.mono(), collect);
+    const std::size_t first = collect.states.size();
+    const Beats counted = collect.states.back().grid.anchor_beat;
+    raks::test::RealtimeScope scope;
+    analyzer.tell({{}, 104.0});
+    analyzer.begin_song();
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    analyzer.process(song.mono(), collect);
+    const std::vector<MusicState> heard(collect.states.begin() + static_cast<std::ptrdiff_t>(first),
+                                        collect.states.end());
+    EXPECT_TRUE(heard.front().is_discontinuity);
+    EXPECT_EQ(heard.front().hop, static_cast<HopIndex>(first)) << "time goes on";
+    EXPECT_GE(heard.front().grid.anchor_beat, counted) << "and so do beats";
+    // From when on its tempo is known.
+    const auto known_from = [](const std::vector<MusicState>& states) {
+        std::size_t hop = states.size();
+        while (hop > 0 && std::abs(states[hop - 1].grid.tempo.bpm() / 104.0 - 1.0) < 0.03) {
+            --hop;
+        }
+        return static_cast<int>(hop);
+    };
+    EXPECT_LE(known_from(heard), known_from(alone) + 60);
+    EXPECT_LT(known_from(heard), 500);
+}
+
+TEST(MusicAnalyzer, a_held_tempo_outlives_a_song) {
+    const GeneratedMusic song = music(Style::drums, {{0.0, 120.0}}, 6.0);
+    MusicAnalyzer analyzer;
+    ASSERT_TRUE(analyzer.prepare(test::as_shipped(song.rate)));
+    Collect collect;
+    analyzer.command({AnalyzerCommand::Kind::set_tempo, StreamTime{}, 120.0});
+    analyzer.process(song.mono(), collect);
+    analyzer.tell({{}, 90.0});
+    analyzer.begin_song();
+    analyzer.process(song.mono(), collect);
+    EXPECT_TRUE(collect.states.back().is_tempo_held);
+    EXPECT_NEAR(collect.states.back().grid.tempo.bpm(), 120.0, 1.0);
+}
+
 }  // namespace
 }  // namespace raks::audio

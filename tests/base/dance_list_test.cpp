@@ -132,6 +132,25 @@ TEST(DanceList, names_are_parts_of_files_names_on_any_system) {
     EXPECT_FALSE(is_dance_name(std::string(41, 'a')));
 }
 
+TEST(DanceList, names_are_made_of_any_text) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"one go", "one_go"},
+        {"Hip Hop Dancing (2)", "Hip_Hop_Dancing_2"},
+        {"mixamo.com", "mixamo_com"},
+        {"-x- ", "x"},
+        {"west_coast-swing", "west_coast-swing"},
+        {"täng\xC3\xB6", "t_ng"},
+        {"auto", "dance_auto"},
+        {"\xE8\x88\x9E", "dance"},
+        {"", "dance"},
+    };
+    for (const auto& [text, name] : cases) {
+        EXPECT_EQ(made_dance_name(text), name) << text;
+        EXPECT_TRUE(is_dance_name(made_dance_name(text))) << text;
+    }
+    EXPECT_TRUE(is_dance_name(made_dance_name(std::string(39, 'a') + " b")));
+}
+
 TEST(DanceList, finds_dances_by_name_and_number) {
     const auto dances = test::shipped_dances();
     ASSERT_GE(dances->size(), 6U);

@@ -302,6 +302,59 @@ TEST_F(Avatar, performs_a_clip_in_a_dances_place) {
     expect_one_line({"render", "--motion", path("no.vrma"), "-o", path("y.mp4")}, 1, "no.vrma");
 }
 
+TEST_F(Avatar, a_clip_is_performed_while_music_plays) {
+    write_clicks("song.wav");
+    const std::string clip = (kModels / "six_poses.vrma").string();
+    const std::vector<std::string> play = {
+        "play", path("song.wav"), "--headless", "--no-sound", "--duration", "0.3", "--motion"};
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = play;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    const auto by_beat = run(with({clip}));
+    ASSERT_EQ(by_beat.exit_code, 0) << by_beat.err;
+    EXPECT_NE(by_beat.err.find("performing six_poses.vrma: "), std::string::npos) << by_beat.err;
+    const auto by_song = run(with({clip, "--offset", "1.5", "--no-loop"}));
+    ASSERT_EQ(by_song.exit_code, 0) << by_song.err;
+    EXPECT_NE(by_song.err.find("from 1.50 s of the song on, once"), std::string::npos)
+        << by_song.err;
+    expect_one_line(with({path("no.vrma")}), 1, "no.vrma");
+    EXPECT_EQ(run(with({clip, "--loop", "--no-loop"})).exit_code, 2);
+    EXPECT_EQ(run(with({clip, "--sync", "bars"})).exit_code, 2);
+    EXPECT_EQ(run({"play", path("song.wav"), "--headless", "--loop"}).exit_code, 2);
+}
+
+TEST_F(Avatar, a_dance_for_mikumikudance_is_performed_before_its_camera) {
+    write_clicks("song.wav", 1.0);
+    const auto danced = run({"dance", path("song.wav"), "--dance", "waltz", "-o", path("x.vmd")});
+    ASSERT_EQ(danced.exit_code, 0) << danced.err;
+    const fs::path corpus = fs::path(RAKS_SOURCE_DIR) / "tests" / "fuzz" / "corpus" / "vmd";
+    const std::string camera = (corpus / "camera.vmd").string();
+    const auto filmed = [&](const std::string& folder, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"render", "--motion", path("x.vmd"), "-o"};
+        words.insert(words.end(), {path(folder) + "/", "--size", "64x64", "--quality", "fast"});
+        words.insert(words.end(), {"--duration", "0.1", "--fps", "10"});
+        words.insert(words.end(), more.begin(), more.end());
+        const auto result = run(words);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const auto pictures = list_folder(path(folder));
+        EXPECT_TRUE(pictures && !pictures->empty());
+        return pictures ? read_file(pictures->front()).value_or(folder) : folder;
+    };
+    EXPECT_NE(filmed("plain", {}), filmed("seen", {"--camera-motion", camera}));
+    const std::string output = path("y.mp4");
+    expect_one_line({"render", "--motion", camera, "-o", output}, 1, "give it as --camera-motion");
+    expect_one_line({"render", path("song.wav"), "--camera-motion", path("x.vmd"), "-o", output},
+                    1,
+                    "moves no camera, but a body; give it as --motion");
+    expect_one_line(
+        {"render", "--motion", path("x.vmd"), "--arm-angle", "91", "-o", output}, 2, "--arm-angle");
+    ASSERT_TRUE(write_file(path("x.pmx"), "PMX "));
+    expect_one_line({"avatar", "show", path("x.pmx")}, 1, "convert it to VRM");
+    expect_one_line({"stick", path("x.pmx")}, 1, "convert it to VRM");
+}
+
 TEST_F(Avatar, the_mannequin_is_dressed_for_the_dance) {
     write_clicks("song.wav");
     const auto filmed = [&](const std::string& dress) {

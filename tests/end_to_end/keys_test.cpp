@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "tests/end_to_end/window.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/jack_midi_peer.hpp"
 #include "tests/support/jack_server.hpp"
 #include "tests/support/run_program.hpp"
 
@@ -466,6 +467,32 @@ TEST_F(Keys, e_goes_through_the_formations) {
     press({"e", "e", "e", "e", "e", "e"});  // canon, free, grid, ring, v
     ASSERT_TRUE(raks_->wait_for_output("dancing: solo"));
     EXPECT_TRUE(shows([](const std::string& now) { return points_on_the_left(now) < 20; }));
+}
+
+TEST_F(Keys, i_teaches_a_midi_controller_which_is_kept) {
+    const JackServer jack;
+    ASSERT_EQ(jack.problem(), "");
+    JackMidiPeer box("box");
+    ASSERT_TRUE(box.is_running());
+    ProcessPlan plan =
+        in_window({"play", "--no-sound", "--midi-in", "box", path("one.wav"), path("two.wav")});
+    std::erase_if(plan.environment,
+                  [](const auto& pair) { return pair.first == "JACK_DEFAULT_SERVER"; });
+    raks_.emplace(plan);
+    ASSERT_TRUE(raks_->wait_for_output("MIDI is heard from box:out"));
+    // The first row that is found; the button is pressed until it is learnt, and then works.
+    press({"i", "n", "e", "x", "t", "Return"});
+    EXPECT_TRUE(raks_->wait_until([&](const ProcessResult& said) {
+        box.send({0xB0, 21, 127});
+        box.send({0xB0, 21, 0});
+        return said.err.find("control 21: next file") != std::string::npos;
+    }));
+    box.send({0xB0, 21, 127});
+    EXPECT_TRUE(raks_->wait_for_output("two.wav"));
+    const auto kept = read_file(path("state/raks/midi.toml"));
+    ASSERT_TRUE(kept) << kept.error().message;
+    EXPECT_NE(kept->find("device = \"box:out\""), std::string::npos) << *kept;
+    EXPECT_NE(kept->find("action = \"next-file\""), std::string::npos) << *kept;
 }
 
 TEST_F(Keys, beats_are_nudged_counted_and_held) {

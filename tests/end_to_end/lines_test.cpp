@@ -105,9 +105,17 @@ TEST_F(Lines, a_target_that_is_none_is_wrong_usage) {
     for (const auto& [option, target] : {std::pair("--osc", "desk"),
                                          std::pair("--osc", "desk:0"),
                                          std::pair("--os2l", "desk:99999"),
-                                         std::pair("--wled", "light,led=3")}) {
+                                         std::pair("--wled", "light,led=3"),
+                                         std::pair("--vmc", "pc,travel=feet"),
+                                         std::pair("--midi-clock", ",lead=3"),
+                                         std::pair("--midi-clock", "box,led=3"),
+                                         std::pair("--midi-in", "")}) {
         expect_one_line({"play", "--headless", option, target}, 2, option);
     }
+}
+
+TEST_F(Lines, poses_of_nobody_are_wrong_usage) {
+    expect_one_line({"live", "--no-avatar", "--vmc", "127.0.0.1"}, 2, "nobody dances");
 }
 
 TEST_F(Lines, are_never_written_over_a_file_that_is_there) {

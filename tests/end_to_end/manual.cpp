@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = RAKS_SOURCE_DIR;
 
-/// The words of a line as a shell has them: "two words" are one, what follows # is none.
+/// The words of a line as a shell has them: "two words" are one, what follows # is none, and what
+/// follows | is another program's.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words;
     std::optional<std::string> word;
@@ -38,7 +39,7 @@ std::vector<std::string> words_of(const std::string& line) {
             if (word) {
                 words.push_back(*std::exchange(word, std::nullopt));
             }
-        } else if (!is_quoted && c == '#' && !word) {
+        } else if (!is_quoted && (c == '#' || c == '|') && !word) {
             break;
         } else {
             word = word.value_or("") + c;

@@ -163,9 +163,52 @@ TEST_F(TeachDance, clips_that_tell_nothing_are_refused_in_one_line) {
         run_here({"train", "figure", "one go.bvh", "--scale", "1", "-o", "once"});
     EXPECT_EQ(none.exit_code, 1);
     EXPECT_EQ(none.err,
-              "raks: one go.bvh: nothing in it repeats; --once learns it as a single phrase\n");
-    const ProcessResult nameless = run_here({"train", "figure", "one go.bvh"});
-    EXPECT_EQ(nameless.err, "raks: give the dance a name: -o NAME (one go cannot be one)\n");
+              "raks: one go.bvh: nothing in it repeats; --once learns it as a single phrase, raks "
+              "train take beat by beat\n");
+}
+
+TEST_F(TeachDance, too_few_repeats_are_no_figure) {
+    motion::test::SteppingDance dance;
+    dance.raised = {1, 2};
+    dance.repeats = 4;
+    const motion::TrainingClip clip = motion::test::stepping_clip(dance);
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "few.bvh", motion::mannequin_skeleton(), clip.poses, 60.0));
+    const ProcessResult few = run_here({"train", "figure", "few.bvh", "--scale", "1"});
+    EXPECT_EQ(few.exit_code, 1) << few.out;
+    EXPECT_NE(few.err.find("repeats are alike, and a figure needs 3: nothing is learnt; --once"),
+              std::string::npos)
+        << few.err;
+    EXPECT_NE(few.err.find("raks train take"), std::string::npos) << few.err;
+    EXPECT_EQ(found("few"), nullptr);
+}
+
+TEST_F(TeachDance, a_clip_danced_once_has_the_name_of_its_file_made_plain) {
+    motion::test::SteppingDance dance;
+    dance.repeats = 2;
+    const motion::TrainingClip clip = motion::test::stepping_clip(dance);
+    fs::create_directories(folder_ / "my clips");
+    for (const char* const name : {"my clips/One Go (1).bvh", "my clips/two.bvh"}) {
+        ASSERT_TRUE(
+            motion::write_bvh(folder_ / name, motion::mannequin_skeleton(), clip.poses, 60.0));
+    }
+    const std::string one = "my clips/One Go (1).bvh";
+    expect_done({"train", "figure", one, "--scale", "1", "--once", "--bpm", "166.67"});
+    EXPECT_EQ(found("One_Go_1")["figures"], nlohmann::json{"One_Go_1"});
+    expect_done({"train", "figure", one, "--scale", "1", "--once", "-o", "my model.json"});
+    const auto model = read_file(folder_ / "my model.json");
+    ASSERT_TRUE(model);
+    EXPECT_EQ(nlohmann::json::parse(*model)["dance"], "my_model");
+    expect_done({"train", "figure", one, "--scale", "1", "--once", "--dance", "told"});
+    EXPECT_EQ(found("told")["figures"], nlohmann::json{"One_Go_1"});
+    // All clips of a folder are one dance; what is none is left out.
+    ASSERT_TRUE(write_file(folder_ / "my clips/broken.bvh", "HIERARCHY"));
+    const ProcessResult folder =
+        run_here({"train", "figure", "my clips", "--scale", "1", "--once", "--travel", "none"});
+    EXPECT_EQ(folder.exit_code, 3) << folder.err;
+    EXPECT_NE(folder.err.find("it is left out"), std::string::npos) << folder.err;
+    EXPECT_EQ(found("my_clips")["figures"], (nlohmann::json{"One_Go_1", "two"}));
+    expect_done({"dance", "song.mp3", "--dance", "my_clips", "-o", "both.bvh"});
 }
 
 TEST_F(TeachDance, its_grammar_can_be_edited_and_is_kept) {

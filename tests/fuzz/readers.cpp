@@ -44,6 +44,8 @@ std::span<const Reader> readers() {
         {"c3d", read_c3d, {}, 300, Content::bytes},
         {"trc", read_trc, {}, 300},
         {"points_csv", read_points_csv, {}, 300},
+        {"vmd", read_vmd_file, {}, 100, Content::bytes},
+        {"vpd", read_vpd_file, {}, 300},
         {"edges", read_edges, {}, 2000},
         {"midi", read_midi, {}, 2000, Content::bytes},
         {"sound", read_sound, {}, 60, Content::bytes},
@@ -52,8 +54,13 @@ std::span<const Reader> readers() {
         {"soundfont", read_soundfont, {}, 300, Content::bytes},
         {"soundfont_talk", read_soundfont_talk, {}, 2000, Content::bytes},
         {"decode_talk", read_decode_talk, {}, 2000, Content::bytes},
+        {"midi_map", read_midi_map, {}, 2000},
+        {"midi_bytes", read_midi_bytes, {}, 2000, Content::bytes},
         {"osc_packet", read_osc_packet, {}, 2000, Content::bytes},
         {"remote_text", read_remote_text, {}, 2000},
+#ifdef RAKS_NOW_PLAYING_IS_BUILT
+        {"player_message", read_player_message, {}, 2000, Content::bytes},
+#endif
         {"import_talk", read_import_talk, {}, 2000, Content::bytes},
         {"unpack_talk", read_unpack_talk, {}, 2000, Content::bytes},
         {"kept_dance", read_kept_dance, {}, 300, Content::bytes},

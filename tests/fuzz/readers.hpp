@@ -65,6 +65,8 @@ bool read_smpl_json(std::string_view text);     ///< the same
 bool read_c3d(std::string_view bytes);          ///< points, and draws them
 bool read_trc(std::string_view text);           ///< the same
 bool read_points_csv(std::string_view text);    ///< the same
+bool read_vmd_file(std::string_view bytes);     ///< a body's motion and a camera's
+bool read_vpd_file(std::string_view text);      ///< a pose of MikuMikuDance
 bool read_edges(std::string_view text);         ///< of points; and looks for them
 bool read_midi(std::string_view bytes);         ///< a file of a pack, and performs it; or its index
 bool read_sound(std::string_view bytes);        ///< of any format, and seeks in it
@@ -73,8 +75,11 @@ bool read_genre_samples(std::string_view bytes);       ///< and other files that
 bool read_soundfont(std::string_view bytes);           ///< SF2 or SF3, and plays it
 bool read_soundfont_talk(std::string_view bytes);      ///< what raks-soundfont may answer
 bool read_decode_talk(std::string_view bytes);         ///< what raks-decode may, of sound
+bool read_midi_map(std::string_view text);             ///< what a MIDI controller is taught
+bool read_midi_bytes(std::string_view bytes);          ///< of a MIDI controller, and what they ask
 bool read_osc_packet(std::string_view bytes);          ///< that asks for actions
 bool read_remote_text(std::string_view text);          ///< of a page that asks for actions
+bool read_player_message(std::string_view bytes);      ///< what a player may say on the bus
 bool read_import_talk(std::string_view bytes);         ///< what raks-import may
 bool read_unpack_talk(std::string_view bytes);         ///< what raks-unpack may
 bool read_kept_dance(std::string_view changes);        ///< a solved dance, and what is changed

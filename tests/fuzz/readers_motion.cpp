@@ -11,6 +11,9 @@
 #include "motion/skeleton/formats/acclaim.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/json_arrays.hpp"
+#include "motion/skeleton/formats/mmd/mmd_clip.hpp"
+#include "motion/skeleton/formats/mmd/vmd_camera.hpp"
+#include "motion/skeleton/formats/mmd/vpd.hpp"
 #include "motion/skeleton/formats/npz.hpp"
 #include "motion/skeleton/formats/points.hpp"
 #include "motion/skeleton/formats/smpl.hpp"
@@ -183,6 +186,22 @@ bool read_trc(std::string_view text) {
 bool read_points_csv(std::string_view text) {
     return is_read(motion::parse_points_csv(text, "x.csv", 60.0));
 }
+
+// As a body's and as a camera's, of which a file is one or the other.
+bool read_vmd_file(std::string_view bytes) {
+    const auto camera = motion::MmdCameraPath::parse(bytes, "x.vmd");
+    if (camera) {
+        for (const double seconds : {-1.0, 0.0, 0.37, camera->duration() + 1.0}) {
+            const motion::MmdView view = camera->at(seconds);
+            must(std::abs(glm::length(view.turn) - 1.0) < 1e-6 && is_finite(glm::vec3(view.eye())));
+        }
+    } else {
+        must_be_one_line(camera.error().message);
+    }
+    const bool is_body = is_read(motion::parse_vmd(bytes, "x.vmd"));
+    return is_body || camera.has_value();
+}
+bool read_vpd_file(std::string_view text) { return is_read(motion::parse_vpd(text, "x.vpd")); }
 
 bool read_joint_map_file(std::string_view text) {
     auto labels = motion::read_joint_map(text, "x.toml");

@@ -1,9 +1,13 @@
-// What other programs and pages may send: packets of OSC, messages of a WebSocket.
+// What other programs, pages and controllers may send: packets of OSC, messages of a WebSocket,
+// bytes of MIDI, and what is kept of it.
 #include <chrono>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "engine/control/remote_request.hpp"
+#include "engine/midi/midi_map.hpp"
+#include "engine/midi/midi_parser.hpp"
 #include "engine/remote/osc_requests.hpp"
 #include "engine/remote/remote_message.hpp"
 #include "tests/fuzz/promise.hpp"
@@ -28,6 +32,55 @@ void check_request(const engine::ActionRequest& request) {
 }
 
 }  // namespace
+
+bool read_midi_map(std::string_view text) {
+    const auto map = engine::MidiMap::parse(text, "x.toml");
+    if (!map) {
+        must_be_one_line(map.error().message);
+        return false;
+    }
+    const auto again = engine::MidiMap::parse(map->to_toml(), "y.toml");
+    must(again && again->to_toml() == map->to_toml());
+    return true;
+}
+
+// Every controller, and the first keys, ask for something.
+bool read_midi_bytes(std::string_view bytes) {
+    static const engine::MidiMap map = [] {
+        engine::MidiMap all;
+        const auto wishes = engine::midi_wishes([](engine::Action) { return true; });
+        for (std::size_t i = 0; i < 2 * wishes.size(); ++i) {
+            const engine::MidiWish& wish = wishes[i % wishes.size()];
+            const bool is_control = wish.is_turned || i < wishes.size();
+            must(all.set(
+                {"box",
+                 {is_control ? engine::MidiMessage::Kind::control : engine::MidiMessage::Kind::note,
+                  1,
+                  static_cast<std::uint8_t>(i % 128)},
+                 wish}));
+        }
+        return all;
+    }();
+    engine::MidiParser parser;
+    std::vector<engine::MidiMessage> messages;
+    for (const char byte : bytes) {
+        if (const auto message = parser.take(static_cast<std::uint8_t>(byte))) {
+            must(message->channel >= 1 && message->channel <= 16);
+            must(message->number < 128 && message->value < 128);
+            messages.push_back(*message);
+        }
+    }
+    engine::MidiReader reader;
+    const auto requests = reader.requests(map, "box", messages);
+    must(requests.size() <= engine::MidiReader::kMostRequests);
+    for (const engine::ActionRequest& request : requests) {
+        const engine::ActionRow& row = engine::row_of(request.action);
+        must(engine::is_remote(row) && request.text.empty());
+        const auto taken = engine::take_value(row, request.value);
+        must(taken && taken->remark.empty());
+    }
+    return !messages.empty();
+}
 
 bool read_osc_packet(std::string_view bytes) {
     const engine::OscRequests read = engine::read_osc_requests(bytes, kMoment);

@@ -1,6 +1,7 @@
 // What other programs make of files that we write: a dance as VRMA in Khronos' validator and
-// pixiv's three-vrm-animation, a dance as GLB in three.js as a browser draws it, avatars in `assimp
-// info`. Skipped, with a word, where node, npm, the network, Chromium or assimp is missing.
+// pixiv's three-vrm-animation, one as VMD in babylon-mmd, one as GLB in three.js as a browser draws
+// it, avatars in `assimp info`. Skipped, with a word, where node, npm, the network, Chromium or
+// assimp is missing.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +10,9 @@
 
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "motion/skeleton/formats/mmd/vmd.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
+#include "tests/independent/mmd_body_document.hpp"
 
 namespace raks::test {
 namespace {
@@ -59,6 +62,7 @@ class IndependentReaders : public ProgramTest {
                                  "package-lock.json",
                                  "check_vrma.mjs",
                                  "check_picture.mjs",
+                                 "check_vmd.mjs",
                                  "picture_page.html"}) {
             fs::copy_file(kHere / name, kPackages / name, fs::copy_options::overwrite_existing);
         }
@@ -75,14 +79,16 @@ class IndependentReaders : public ProgramTest {
     }
 
     /// Six seconds of salsa to music of ours.
-    void dance_to(const std::string& output) {
+    void dance_to(const std::string& output, const std::vector<std::string>& more = {}) {
         audio::MusicPlan plan;
         plan.style = audio::Style::montuno;
         plan.tempo = {{0.0, 180.0}};
         plan.seconds = 6.0;
         write_music("song.wav", plan);
-        const auto danced =
-            run({"dance", path("song.wav"), "--dance", "salsa", "-o", path(output)});
+        std::vector<std::string> words = {
+            "dance", path("song.wav"), "--dance", "salsa", "-o", path(output)};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto danced = run(words);
         ASSERT_EQ(danced.exit_code, 0) << danced.err;
     }
 
@@ -142,6 +148,34 @@ TEST_F(IndependentReaders, draw_a_dance_as_we_do) {
     EXPECT_GT(answer["ours"].get<int>(), 20'000) << said.out;
     // 0.94 to 0.97 here: light and edges differ.
     EXPECT_GT(answer["overlap"].get<double>(), 0.9) << said.out;
+}
+
+// Places of all bones at frames of a VMD, in babylon-mmd and here.
+class VmdReaders : public IndependentReaders {
+ protected:
+    void expect_same_places(const std::string& motion, std::uint32_t step) {
+        const auto file = motion::read_vmd(read_file(motion).value());
+        ASSERT_TRUE(file) << file.error().message;
+        ASSERT_TRUE(write_file(path("body.json"), mmd_body_document(file->motion, step).dump()));
+        const auto said = run_there({"node", "check_vmd.mjs", motion, path("body.json")});
+        ASSERT_EQ(said.exit_code, 0) << said.err;
+        const auto answer = nlohmann::json::parse(said.out);
+        EXPECT_GT(answer["compared"].get<int>(), 2000) << said.out;
+        // 10 mm are promised; 0.1 mm are seen.
+        EXPECT_LT(answer["worst"].get<double>() * motion::kMmdMetres, 0.001) << said.out;
+    }
+};
+
+TEST_F(VmdReaders, pose_a_dance_for_mikumikudance_as_we_do) {
+    for (const char* legs : {"ik", "fk"}) {
+        dance_to("dance.vmd", {"--legs", legs});
+        expect_same_places(path("dance.vmd"), 3);
+    }
+}
+
+// Keys drawn by dice, in no order, with curves; legs have goals that their turns do not reach.
+TEST_F(VmdReaders, bend_knees_towards_goals_as_we_do) {
+    expect_same_places((fs::path(RAKS_SOURCE_DIR) / "tests/fuzz/corpus/vmd/goals.vmd").string(), 1);
 }
 
 class ForeignPrograms : public ProgramTest {};

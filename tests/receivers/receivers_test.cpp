@@ -1,6 +1,6 @@
 // Programs of others are told of the music, and obey: QLC+ by OS2L and OSC, liblo's oscdump, npm's
-// osc and os2l, and a light of WLED in Python. Others ask for actions: npm's ws, Chromium. A
-// program that is missing skips its test; with RAKS_RECEIVERS=required it fails.
+// osc and os2l, a light of WLED and a marionette of VMC in Python. Others ask for actions: npm's
+// ws, Chromium. A program that is missing skips its test; with RAKS_RECEIVERS=required it fails.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -15,6 +15,7 @@
 #include "audio/io/wav_writer.hpp"
 #include "base/file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
+#include "tests/support/jack_server.hpp"
 #include "tests/support/peers.hpp"
 #include "tests/support/xvfb.hpp"
 
@@ -89,6 +90,32 @@ class Receivers : public ProgramTest {
     }
 };
 
+// "#  clock:    993.75 samples   ..": only that it reads our clock's tempo.
+TEST_F(Receivers, jack_mclk_dump_reads_the_tempo_of_the_clock) {
+    if (!has("jack_mclk_dump")) {
+        GTEST_SKIP() << "jack_mclk_dump (jack-midi-clock) is not installed";
+    }
+    JackServer jack;
+    ASSERT_EQ(jack.problem(), "");
+    write_drums(60.0);
+    const auto on_jack = [&](std::vector<std::string> words) {
+        ProcessPlan program = plan(std::move(words));
+        std::erase_if(program.environment,
+                      [](const auto& pair) { return pair.first == "JACK_DEFAULT_SERVER"; });
+        return program;
+    };
+    ProcessPlan dump;
+    dump.command = {"stdbuf", "-oL", "jack_mclk_dump", "-n"};
+    CapturedProcess listener(dump);
+    CapturedProcess player(
+        on_jack({"play", path("drums.wav"), "--headless", "--midi-clock", "mclk_in"}));
+    EXPECT_TRUE(listener.wait_for_output("120.0"));
+    player.send(SIGINT);
+    EXPECT_EQ(player.wait().exit_code, 130);
+    listener.send(SIGTERM);
+    static_cast<void>(listener.wait());
+}
+
 TEST_F(Receivers, oscdump_reads_every_message) {
     if (!has("oscdump")) {
         GTEST_SKIP() << "oscdump (liblo-tools) is not installed";
@@ -161,6 +188,26 @@ TEST_F(Receivers, a_light_of_wled_has_50_packets_a_second_and_a_peak_a_beat) {
     EXPECT_GE(said["packets"], 200);
     EXPECT_EQ(said["loudest"], 255);
     EXPECT_EQ(said["peaks"], beats_in(played.out));
+}
+
+TEST_F(Receivers, a_marionette_of_vmc_dances_what_raks_writes_as_bvh) {
+    if (!has("python3")) {
+        GTEST_SKIP() << "python3 is not installed";
+    }
+    write_drums(12.0);
+    ProcessPlan trial = plan({});
+    trial.command = {"python3", kFolder + "vmc_marionette.py", RAKS_PROGRAM, path("drums.wav")};
+    trial.timeout = std::chrono::seconds(150);
+    const ProcessResult result = run_process(trial);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto said = nlohmann::json::parse(result.out);
+    EXPECT_GE(said["frames"], 300);
+    EXPECT_EQ(said["bones"], 52);
+    EXPECT_EQ(said["right"], true) << "types, and places that are not zero";
+    EXPECT_LE(said["longest"], 1'200);
+    EXPECT_LE(said["joints_mm"]["worst"], 1.0) << result.out;
+    EXPECT_EQ(said["end"]["ok"], 0);
+    EXPECT_EQ(said["end"]["faces"], 0.0);
 }
 
 TEST_F(Receivers, npm_osc_and_npm_os2l_take_every_beat) {
@@ -277,6 +324,26 @@ TEST_F(Receivers, qlcplus_obeys_every_beat_by_os2l_and_by_osc) {
         EXPECT_EQ(said[protocol]["obeyed"], beats) << protocol << ": " << result.out;
         EXPECT_EQ(said[protocol]["changes"], beats) << protocol << ": none twice";
     }
+}
+
+TEST_F(Receivers, mpv_and_playerctl_say_what_plays_and_pauses) {
+    for (const char* program : {"mpv", "playerctl", "pulseaudio", "dbus-daemon", "ffmpeg"}) {
+        if (!has(program)) {
+            GTEST_SKIP() << program << " is not installed";
+        }
+    }
+    if (run({"live", "--now-playing", "--duration", "0.1", "--headless"})
+            .err.find("built without") != std::string::npos) {
+        GTEST_SKIP() << "this raks asks no players";
+    }
+    ProcessPlan trial = plan({});
+    trial.command = {"python3", kFolder + "mpv_songs.py", RAKS_PROGRAM, "hands"};
+    trial.timeout = std::chrono::seconds(120);
+    const ProcessResult result = run_process(trial);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto said = nlohmann::json::parse(result.out);
+    EXPECT_EQ(said["titles"], nlohmann::json({"Song 0", "Song 1"}));
+    EXPECT_LT(said["pause"], 1'000) << "ms from playerctl's start to the stop";
 }
 
 }  // namespace

@@ -2,38 +2,43 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-#include <fmt/format.h>
-
+#include "training/discovery/phrase_discovery.hpp"
 #include "training/figures/training_clip.hpp"
 
 namespace raks::motion {
 namespace {
 
-constexpr std::size_t kFew = 3;  // repeats: fewer hardly tell what varies
+namespace fs = std::filesystem;
 
-// Compares the repeats of all clips, and warns where few are alike.
+// Compares the repeats of all clips.
 void judge(DiscoveredClips& discovered) {
     std::vector<FoundIn> all;
-    std::size_t repeats = 0;
     for (DiscoveredClip& clip : discovered.clips) {
         all.push_back({&clip.clip, &clip.found});
-        repeats += clip.found.repeats.size();
     }
     judge_repeats(all);
-    std::size_t good = 0;
-    for (const DiscoveredClip& clip : discovered.clips) {
-        good += clip.found.good();
+}
+
+// Phrases of one dance have tempi of one octave.
+void agree(DiscoveredClips& discovered) {
+    std::vector<FoundRepeats*> phrases;
+    for (DiscoveredClip& clip : discovered.clips) {
+        phrases.push_back(&clip.found);
     }
-    if (repeats > 0 && good < kFew) {
-        discovered.warnings.push_back(fmt::format(
-            "{} of {} repeats are alike; six make a figure. --propose X.tsv shows which",
-            good,
-            repeats));
-    }
+    agree_on_octaves(std::move(phrases));
 }
 
 }  // namespace
+
+std::size_t DiscoveredClips::good() const noexcept {
+    std::size_t good = 0;
+    for (const DiscoveredClip& clip : clips) {
+        good += clip.found.good();
+    }
+    return good;
+}
 
 std::vector<FigureLabel> DiscoveredClips::labels(const FigureTrainingPlan& plan) const {
     std::vector<FigureLabel> all;
@@ -43,6 +48,32 @@ std::vector<FigureLabel> DiscoveredClips::labels(const FigureTrainingPlan& plan)
     }
     return all;
 }
+
+namespace {
+
+// Reads one clip and searches it. Errors: with its name.
+Expected<DiscoveredClip> discover_clip(const std::pair<const std::string, fs::path>& file,
+                                       const FigureTrainingPlan& plan,
+                                       Discovery what,
+                                       const DiscoveryOptions& options,
+                                       std::vector<std::string>& warnings) {
+    Expected<TrainingClip> clip = load_clip(file.second, units_of(plan), warnings);
+    if (!clip) {
+        return fail(std::move(clip.error()));
+    }
+    const std::string name = file.second.filename().string();
+    Expected<FoundRepeats> found =
+        what == Discovery::repeats ? find_repeats(*clip, options) : whole_phrase(*clip, options);
+    if (!found) {
+        return fail(std::move(found.error()).in(name));
+    }
+    for (const std::string& warning : found->warnings) {
+        warnings.push_back(name + ": " + warning);
+    }
+    return DiscoveredClip{file.first, file.second, std::move(*clip), std::move(*found)};
+}
+
+}  // namespace
 
 Expected<DiscoveredClips> discover_clips(const FigureTrainingPlan& plan,
                                          Discovery what,
@@ -54,35 +85,28 @@ Expected<DiscoveredClips> discover_clips(const FigureTrainingPlan& plan,
     options.role = plan.role;
     options.music = plan.music;
     DiscoveredClips discovered;
-    for (const auto& [take, path] : *files) {
-        Expected<TrainingClip> clip = load_clip(path,
-                                                {.reading = plan.reading,
-                                                 .metres_per_unit = plan.metres_per_unit,
-                                                 .height = plan.height,
-                                                 .up = plan.up,
-                                                 .joints = plan.joints},
-                                                discovered.warnings);
-        if (!clip) {
+    for (const auto& file : *files) {
+        auto clip = discover_clip(file, plan, what, options, discovered.warnings);
+        if (clip) {
+            discovered.clips.push_back(std::move(*clip));
+        } else if (what == Discovery::whole_phrase && files->size() > 1) {
+            discovered.skipped.push_back(std::move(clip.error().message));
+        } else {
             return fail(std::move(clip.error()));
         }
-        Expected<FoundRepeats> found = what == Discovery::repeats ? find_repeats(*clip, options)
-                                                                  : whole_phrase(*clip, options);
-        const std::string name = path.filename().string();
-        if (!found) {
-            return fail(std::move(found.error()).in(name));
-        }
-        for (const std::string& warning : found->warnings) {
-            discovered.warnings.push_back(name + ": " + warning);
-        }
-        discovered.clips.push_back({take, std::move(*clip), std::move(*found)});
+    }
+    if (discovered.clips.empty()) {
+        return fail(discovered.skipped.front());
     }
     if (what == Discovery::repeats) {
         judge(discovered);
+    } else {
+        agree(discovered);
     }
     const auto has_none = [](const DiscoveredClip& clip) { return clip.found.repeats.empty(); };
     if (std::all_of(discovered.clips.begin(), discovered.clips.end(), has_none)) {
         const DiscoveredClip& first = discovered.clips.front();
-        return fail(Error{first.found.none_because}.in(files->at(first.take).filename().string()));
+        return fail(Error{first.found.none_because}.in(first.file.filename().string()));
     }
     for (const DiscoveredClip& clip : discovered.clips) {
         if (has_none(clip)) {

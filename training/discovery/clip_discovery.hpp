@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,14 @@ namespace raks::motion {
 
 /// A clip and the repeats found in it.
 struct DiscoveredClip {
-    std::string take;    ///< the file's name without extension
-    TrainingClip clip;   ///< its motion
-    FoundRepeats found;  ///< its repeats; none where none_because says why
+    std::string take;            ///< as take_name() has it
+    std::filesystem::path file;  ///< as it was given
+    TrainingClip clip;           ///< its motion
+    FoundRepeats found;          ///< its repeats; none where none_because says why
 };
+
+/// Alike repeats that a figure is learnt from at least: fewer hardly tell what varies.
+inline constexpr std::size_t kFewestRepeats = 3;
 
 /// What is looked for in clips without labels.
 enum class Discovery { repeats, whole_phrase };
@@ -23,7 +28,10 @@ enum class Discovery { repeats, whole_phrase };
 struct DiscoveredClips {
     std::vector<DiscoveredClip> clips;
     std::vector<std::string> warnings;  ///< of readers and of the search, one line each
+    std::vector<std::string> skipped;   ///< why a phrase beside others cannot be taken, likewise
 
+    /// Repeats that are worth learning from.
+    [[nodiscard]] std::size_t good() const noexcept;
     /// Labels of all clips, as the plan's training takes them.
     [[nodiscard]] std::vector<FigureLabel> labels(const FigureTrainingPlan& plan) const;
 };

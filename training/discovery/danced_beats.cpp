@@ -72,18 +72,14 @@ std::optional<std::pair<double, double>> DancedBeats::beats_from(double seconds,
     return std::pair{beats_[first].seconds, beats_[last].seconds};
 }
 
-double DancedBeats::bar_line_after(double seconds) const {
-    std::optional<double> beat;
-    for (const MusicBeat& candidate : beats_) {
-        if (candidate.seconds < seconds) {
-            continue;
+std::vector<double> DancedBeats::between(double from, double to) const {
+    std::vector<double> seconds;
+    for (const MusicBeat& beat : beats_) {
+        if (beat.seconds >= from && beat.seconds <= to) {
+            seconds.push_back(beat.seconds);
         }
-        if (candidate.bar_position == 1) {
-            return candidate.seconds;
-        }
-        beat = beat ? beat : candidate.seconds;
     }
-    return beat.value_or(seconds);
+    return seconds;
 }
 
 double DancedBeats::share_on_bar_lines(std::span<const double> seconds) const {

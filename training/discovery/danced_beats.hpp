@@ -33,9 +33,8 @@ class DancedBeats {
     [[nodiscard]] std::optional<std::pair<double, double>> beats_from(double seconds,
                                                                       int count) const;
 
-    /// The first bar line at or after a moment, else the first beat; the moment itself where there
-    /// is no beat after it.
-    [[nodiscard]] double bar_line_after(double seconds) const;
+    /// Seconds of all beats from one moment to another.
+    [[nodiscard]] std::vector<double> between(double from, double to) const;
 
     /// The share of these moments whose nearest beat begins a bar.
     [[nodiscard]] double share_on_bar_lines(std::span<const double> seconds) const;

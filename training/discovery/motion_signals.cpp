@@ -1,5 +1,7 @@
 #include "training/discovery/motion_signals.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,9 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kLowPass = 8.0;   // Hz: above the steps of a fast dance, below half the rate
+constexpr double kShortestMotion = 0.6;  // seconds: two beats of the fastest dance
+constexpr double kStillSpeed = 0.05;     // m/s: what the noise of a capture moves a foot or hand
+constexpr double kLowPass = 8.0;         // Hz: above the steps of a fast dance, below half the rate
 constexpr double kFastFoot = 1.5;  // m/s: faster is as fast, so that a few kicks do not decide
 // A small step ends in a landing, too: the limit that figures are judged by (0.6) misses counts 2
 // and 6 of the lead's salsa.
@@ -165,6 +169,21 @@ MotionSignals motion_signals(const TrainingClip& clip) {
               signals.landings.end(),
               [](const SignalLanding& a, const SignalLanding& b) { return a.row < b.row; });
     return signals;
+}
+
+Expected<void> check_motion(const TrainingClip& clip, const MotionSignals& signals) {
+    if (signals.movement < kStillSpeed) {
+        return fail("nothing moves in it");
+    }
+    if (const double seconds = signals.seconds(); seconds < kShortestMotion) {
+        return fail(fmt::format("lasts {:.2f} s, shorter than two beats", seconds));
+    }
+    for (std::size_t i = 0; i < clip.poses.size(); ++i) {
+        if (!is_finite(clip.poses[i])) {
+            return fail(fmt::format("the pose of frame {} is not finite", i));
+        }
+    }
+    return {};
 }
 
 void row_between(const FeatureTrack& track, double at, std::span<double> to) noexcept {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/expected.hpp"
 #include "motion/figures/motion_features.hpp"
 #include "motion/skeleton/humanoid.hpp"
 #include "training/figures/figure_trainer.hpp"
@@ -36,6 +37,10 @@ struct MotionSignals {
 /// Signals of a clip, its faults bridged, low-passed at 8 Hz before the rate is reduced. The clip
 /// has poses and feet. Deterministic. Threads: workers. Real-time: no.
 [[nodiscard]] MotionSignals motion_signals(const TrainingClip& clip);
+
+/// Whether there is something to learn in a clip. Errors (one line): nothing moves, it is shorter
+/// than two beats of the fastest dance, or a pose is not finite.
+[[nodiscard]] Expected<void> check_motion(const TrainingClip& clip, const MotionSignals& signals);
 
 /// Row `at` of a track between its rows; clamped at the ends. `to`: one number a column.
 void row_between(const FeatureTrack& track, double at, std::span<double> to) noexcept;

@@ -17,17 +17,12 @@
 namespace raks::motion {
 namespace {
 
-constexpr double kShortest = 0.6;         // seconds: two beats of the fastest dance
-constexpr double kStill = 0.05;           // m/s: what the noise of a capture moves a foot or hand
 constexpr double kNoRepeats = 0.02;       // share of variance explained: less is chance
 constexpr double kStretch = 9.0;          // seconds, of a clip that repeats in a part of it
 constexpr double kStretchRepeats = 0.25;  // share explained in it: many stretches are tried
 constexpr int kRounds = 4;                // of borders and template, until count 1 is sought
 constexpr int kLastRounds = 2;            // of them after that
-constexpr int kMostBeats = 64;            // of one figure
 constexpr double kFastestTempo = 260.0;   // BPM
-constexpr double kUsualBeat = 0.5;        // seconds, where the motion has no beat
-constexpr double kMoving = 0.15;          // of the fastest change of the signals: less is waiting
 constexpr double kBarLine = 0.1;          // weight of repeats that begin on bar lines
 constexpr double kOffBeat = 0.3;          // beats: later or earlier steps are said
 constexpr double kKeepsBeat = 0.4;  // resultant of the starts' beat phases: less is another song
@@ -35,21 +30,6 @@ constexpr double kSureConfidence = 0.9;  // what training asks for
 
 double frame_of(double row, const TrainingClip& clip) {
     return row / kSignalRate * clip.frames_per_second;
-}
-
-Expected<void> check_motion(const TrainingClip& clip, const MotionSignals& signals) {
-    if (signals.movement < kStill) {
-        return fail("nothing moves in it");
-    }
-    if (const double seconds = signals.seconds(); seconds < kShortest) {
-        return fail(fmt::format("lasts {:.2f} s, shorter than two beats", seconds));
-    }
-    for (std::size_t i = 0; i < clip.poses.size(); ++i) {
-        if (!is_finite(clip.poses[i])) {
-            return fail(fmt::format("the pose of frame {} is not finite", i));
-        }
-    }
-    return {};
 }
 
 /// Of a dance this fast the rate is likelier wrong than the dancer that quick.
@@ -159,7 +139,9 @@ class RepeatSearch {
  private:
     FoundRepeats none() {
         found_.repeats.clear();
-        found_.none_because = "nothing in it repeats; --once learns it as a single phrase";
+        found_.none_because =
+            "nothing in it repeats; --once learns it as a single phrase, raks train take beat by "
+            "beat";
         return std::move(found_);
     }
 
@@ -326,41 +308,6 @@ class RepeatSearch {
     FoundRepeats found_;
 };
 
-/// First and last row in which the signals change as they do in movement.
-std::pair<double, double> moving_rows(const FeatureTrack& track) {
-    std::vector<double> changes;
-    for (std::size_t i = 0; i + 1 < track.rows(); ++i) {
-        double square = 0.0;
-        for (std::size_t c = 0; c < track.columns; ++c) {
-            const double d = track.row(i + 1)[c] - track.row(i)[c];
-            square += d * d;
-        }
-        changes.push_back(std::sqrt(square));
-    }
-    const double least = kMoving * percentile(changes, 0.95);
-    const auto moves = [&](double change) { return change > least; };
-    const auto first = std::find_if(changes.begin(), changes.end(), moves);
-    const auto last = std::find_if(changes.rbegin(), changes.rend(), moves);
-    return {static_cast<double>(first - changes.begin()),
-            static_cast<double>(changes.rend() - last)};
-}
-
-/// Seconds of a beat of the motion, for a clip that does not repeat.
-double beat_of_motion(const FeatureTrack& track, FoundRepeats& found) {
-    const auto beat = best_period(track, {.shortest = 0.3, .longest = 0.8, .likely = kUsualBeat});
-    if (beat && beat->explained > kNoRepeats) {
-        return beat->rows / kSignalRate;
-    }
-    found.warnings.emplace_back("no beat was found in it; it is taken for 120 BPM (--beats)");
-    return kUsualBeat;
-}
-
-/// Beats of a phrase: whole bars where it has one.
-int phrase_beats(double beats, int beats_per_bar) {
-    const int whole = std::min(static_cast<int>(beats + 0.25), kMostBeats);
-    return whole >= beats_per_bar ? whole - whole % beats_per_bar : whole;
-}
-
 }  // namespace
 
 std::size_t FoundRepeats::good() const noexcept {
@@ -374,48 +321,6 @@ Expected<FoundRepeats> find_repeats(const TrainingClip& clip, const DiscoveryOpt
         return fail(std::move(sound.error()));
     }
     return RepeatSearch(clip, options, signals).run();
-}
-
-Expected<FoundRepeats> whole_phrase(const TrainingClip& clip, const DiscoveryOptions& options) {
-    const MotionSignals signals = motion_signals(clip);
-    if (auto sound = check_motion(clip, signals); !sound) {
-        return fail(std::move(sound.error()));
-    }
-    FoundRepeats found;
-    const auto [first, last] = moving_rows(signals.track);
-    double start = first / kSignalRate;
-    const double end = last / kSignalRate;
-    double beat = 0.0;
-    if (options.music) {
-        const auto beats = DancedBeats::within(*options.music, signals.seconds());
-        if (!beats) {
-            return fail(beats.error());
-        }
-        start = beats->bar_line_after(start);
-        beat = beats->interval();
-    } else {
-        beat =
-            options.beats ? (end - start) / *options.beats : beat_of_motion(signals.track, found);
-    }
-    found.beats = options.beats.value_or(phrase_beats((end - start) / beat, options.beats_per_bar));
-    if (found.beats < 2) {
-        return fail("has less than two beats of movement");
-    }
-    found.seconds = beat * found.beats;
-    const double frames = static_cast<double>(clip.poses.size());
-    found.repeats.push_back({start * clip.frames_per_second,
-                             std::min((start + found.seconds) * clip.frames_per_second, frames),
-                             0.0,
-                             true});
-    if (start + found.seconds < end - beat) {
-        found.warnings.push_back(
-            fmt::format("of its movement of {:.1f} s the first {:.1f} are learnt, "
-                        "{} beats",
-                        end - first / kSignalRate,
-                        start + found.seconds - first / kSignalRate,
-                        found.beats));
-    }
-    return found;
 }
 
 void judge_repeats(std::span<const FoundIn> clips) {

@@ -8,6 +8,7 @@
 #include "base/expected.hpp"
 #include "motion/figures/figure_model.hpp"
 #include "motion/figures/label_tables.hpp"
+#include "motion/figures/phrase_tempo.hpp"
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/label_counts.hpp"
 
@@ -19,9 +20,10 @@ namespace raks::motion {
 /// What a person may know of the motion.
 struct DiscoveryOptions {
     DanceRole role =
-        DanceRole::lead;       ///< the lead begins with the left foot, the follow with the right
-    std::optional<int> beats;  ///< of one repeat, 1 to 64; none: found
-    int beats_per_bar = 4;     ///< of the music
+        DanceRole::lead;        ///< the lead begins with the left foot, the follow with the right
+    std::optional<int> beats;   ///< of one repeat, 1 to 64; none: found
+    std::optional<double> bpm;  ///< of a phrase; none: found
+    int beats_per_bar = 4;      ///< of the music
     std::optional<DancedMusic> music;  ///< its beats are the counts; none: counts from the feet
 };
 
@@ -35,10 +37,13 @@ struct FoundRepeat {
 
 /// The repeats of one clip.
 struct FoundRepeats {
-    std::vector<FoundRepeat> repeats;   ///< rising; empty: none were found
-    int beats = 0;                      ///< of each
-    double seconds = 0.0;               ///< of each, the median
-    double explained = 0.0;             ///< as in RepeatPeriod
+    std::vector<FoundRepeat> repeats;  ///< rising; empty: none were found
+    int beats = 0;                     ///< of each
+    double seconds = 0.0;              ///< of each, the median
+    double explained = 0.0;            ///< as in RepeatPeriod
+    /// Of a whole phrase whose beats the motion told: the ways to count it, the one that is taken
+    /// first. Else empty.
+    std::vector<PhraseCount> counts;
     std::string none_because;           ///< one line where there are none; empty otherwise
     std::vector<std::string> warnings;  ///< one line each, without the clip's name
 
@@ -62,12 +67,6 @@ struct FoundIn {
 /// Sets distance and is_good of all repeats, compared over all clips: the commonest figure of a
 /// person who dances several is the same one in each clip. Threads: workers. Real-time: no.
 void judge_repeats(std::span<const FoundIn> clips);
-
-/// The whole clip as one phrase, of whole bars where it has one, for motion that does not repeat:
-/// from the first movement on, or the first bar line of the music after it. At most 64 beats.
-/// Errors: as find_repeats; shorter than two beats.
-[[nodiscard]] Expected<FoundRepeats> whole_phrase(const TrainingClip& clip,
-                                                  const DiscoveryOptions& options = {});
 
 /// What was found as labels of `figure`: those of good repeats have a confidence of 0.9 or more,
 /// which is what training asks for, the others less.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "motion/figures/phrase_tempo.hpp"
 #include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -48,7 +49,39 @@ void move_hips_joint(const MotionClip& motion,
     clip.hips_height = body.source_hips_height + up.y;
 }
 
+/// Keeps the body where it begins: takes the mean way over kWaySeconds away, of hips and feet
+/// alike. At both ends that mean is of a shorter, symmetric stretch, which a steady way does not
+/// bend.
+void stay_in_place(TrainingClip& clip) {
+    constexpr double kWaySeconds = 4.0;
+    const std::size_t reach = static_cast<std::size_t>(0.5 * kWaySeconds * clip.frames_per_second);
+    std::vector<glm::dvec3> sums(1);
+    for (const Pose& pose : clip.poses) {
+        sums.push_back(sums.back() + glm::dvec3(pose.hips_position));
+    }
+    glm::dvec3 begin{};
+    for (std::size_t i = 0; i < clip.poses.size(); ++i) {
+        const std::size_t near = std::min({reach, i, clip.poses.size() - 1 - i});
+        const glm::dvec3 mean =
+            (sums[i + near + 1] - sums[i - near]) / static_cast<double>(2 * near + 1);
+        begin = i == 0 ? mean : begin;
+        const glm::dvec3 away(begin.x - mean.x, 0.0, begin.z - mean.z);
+        clip.poses[i].hips_position += glm::vec3(away);
+        for (SourceFoot& foot : clip.feet[i]) {
+            foot.ankle += away;
+            foot.toe_tip += away;
+        }
+    }
+}
+
 }  // namespace
+
+std::string take_name(const fs::path& clip) {
+    const fs::path named = clip.has_filename() ? clip : clip.parent_path();
+    const ClipAddress address = clip_address(named);
+    const std::string stem = address.file.stem().string();
+    return address.clip.empty() ? stem : stem + "#" + address.clip;
+}
 
 Expected<TrainingClip> load_clip(const fs::path& path,
                                  const ClipUnits& units,
@@ -86,13 +119,18 @@ Expected<TrainingClip> load_clip(const fs::path& path,
                                        standing->body.size.reason));
     }
     TrainingClip clip;
-    clip.name = path.stem().string();
+    clip.name = take_name(path);
     clip.frames_per_second = body->frames_per_second;
     clip.poses = std::move(body->poses);
     clip.feet = std::move(body->source_feet);
     move_hips_joint(standing->clip, standing->body.mapping(), *body, clip);
+    if (units.travel == ClipTravel::none) {
+        stay_in_place(clip);
+    }
     // As a fault these frames are bridged with the first sound pose.
-    clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
+    if (is_rest_pose(clip.poses.front())) {
+        clip.faults.push_back({0, std::min(kConversionFrames, clip.poses.size()) - 1});
+    }
     return clip;
 }
 

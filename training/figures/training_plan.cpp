@@ -17,6 +17,15 @@ namespace raks::motion {
 
 namespace fs = std::filesystem;
 
+ClipUnits units_of(const FigureTrainingPlan& plan) {
+    return {.reading = plan.reading,
+            .metres_per_unit = plan.metres_per_unit,
+            .height = plan.height,
+            .up = plan.up,
+            .joints = plan.joints,
+            .travel = plan.travel};
+}
+
 Expected<std::map<std::string, fs::path>> clips_by_take(const FigureTrainingPlan& plan) {
     std::vector<fs::path> paths = plan.clips;
     std::error_code error;
@@ -37,7 +46,7 @@ Expected<std::map<std::string, fs::path>> clips_by_take(const FigureTrainingPlan
     }
     std::map<std::string, fs::path> files;
     for (const fs::path& path : paths) {
-        files[path.stem().string()] = path;
+        files[take_name(path)] = path;
     }
     return files;
 }
@@ -231,13 +240,7 @@ class Collector {
                                     label.line,
                                     label.take));
         }
-        Expected<TrainingClip> clip = load_clip(file->second,
-                                                {.reading = plan_.reading,
-                                                 .metres_per_unit = plan_.metres_per_unit,
-                                                 .height = plan_.height,
-                                                 .up = plan_.up,
-                                                 .joints = plan_.joints},
-                                                material_.warnings);
+        Expected<TrainingClip> clip = load_clip(file->second, units_of(plan_), material_.warnings);
         if (!clip) {
             return fail(std::move(clip.error()));
         }

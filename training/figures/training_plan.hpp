@@ -14,6 +14,7 @@
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "training/figures/figure_trainer.hpp"
 #include "training/figures/label_counts.hpp"
+#include "training/figures/training_clip.hpp"
 
 /// From files to a learnt figure: the work of `raks train figure`.
 namespace raks::motion {
@@ -44,6 +45,7 @@ struct FigureTrainingPlan {
     std::optional<double> height{};                    ///< of the body, metres; none: found
     std::optional<glm::dvec3> up{};                    ///< axis that points up; none: found
     JointLabels joints{};                              ///< which joint of the clips is which bone
+    ClipTravel travel = ClipTravel::file;              ///< whether the clips lead anywhere
     std::string attribution;                           ///< credit that the data's licence asks for
     int states = 16;                                   ///< of each part's HMM
     int baum_welch_iterations = 0;                     ///< rounds; see FigureTrainingOptions
@@ -65,9 +67,12 @@ struct FigureTrainingReport {
     std::vector<std::string> warnings;       ///< for people, one line each
 };
 
-/// The clips of a plan by take, which is the file's name without extension: the files named, or all
-/// *.bvh of one folder. A later file of the same name replaces an earlier one. Errors: none named,
-/// a folder without clips, or one that cannot be read.
+/// How the clips of a plan are read.
+[[nodiscard]] ClipUnits units_of(const FigureTrainingPlan& plan);
+
+/// The clips of a plan by take: the files named, or all clips of one folder. A later file of the
+/// same name replaces an earlier one. Errors: none named, a folder without clips, or one that
+/// cannot be read.
 [[nodiscard]] Expected<std::map<std::string, std::filesystem::path>> clips_by_take(
     const FigureTrainingPlan& plan);
 

@@ -59,8 +59,15 @@ Expected<FoundBody> find_body(const MotionClip& clip, const BodyOptions& options
     if (unit && unit == clip.metres_per_unit && !options.metres_per_unit) {
         found.size.reason = "as its format has it";
     }
+    if (clip.known && clip.known->height && !options.height) {
+        found.size.height = *clip.known->height * found.size.metres_per_unit;
+    }
     found.stance =
         find_stance(posed, found.up.upright, found.size.height / found.size.metres_per_unit);
+    if (clip.known && clip.known->facing) {
+        found.stance.facing = *clip.known->facing;
+        found.stance.facing_confidence = 1.0;
+    }
     return found;
 }
 

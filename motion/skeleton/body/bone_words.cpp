@@ -59,9 +59,22 @@ BodyPart finger_part(std::string_view core) {
     return part != nullptr && part->part >= BodyPart::thumb ? part->part : BodyPart::none;
 }
 
+/// A part that is said with upper or lower behind it: "armUpper" is the upper arm.
+const PartName* part_with_end(std::string_view core) {
+    for (const std::string_view end : {"upper", "lower", "up", "low"}) {
+        if (core.size() > end.size() && core.ends_with(end)) {
+            core.remove_suffix(end.size());
+            return part_named(std::string(end) + std::string(core));
+        }
+    }
+    return nullptr;
+}
+
 /// Whether joined words name a part, with the part and its doubt in `read`.
 bool names_part(std::string_view core, BoneWords& read) {
-    if (const PartName* const part = part_named(core)) {
+    const PartName* part = part_named(core);
+    part = part != nullptr ? part : part_with_end(core);
+    if (part != nullptr) {
         read.part = part->part;
         read.doubt += part->doubt;
     } else {

@@ -25,6 +25,7 @@ enum class BodyPart : std::uint8_t {
     head,
     eye,
     jaw,
+    collar_bone,  ///< never the upper arm, as a `shoulder` may be
     shoulder,
     arm,
     upper_arm,

@@ -64,7 +64,7 @@ class NameMapper {
         }
     }
 
-    /// All of a part, the nearest to the root first.
+    /// All of a part, those that move nothing last, else the nearest to the root first.
     std::vector<Candidate> named(BodyPart part, std::optional<Side> side) const {
         std::vector<Candidate> found;
         for (const Candidate& one : all_) {
@@ -73,7 +73,8 @@ class NameMapper {
             }
         }
         std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-            return a.depth < b.depth;
+            const bool moves = a.words.doubt < kNoJoint;
+            return moves != (b.words.doubt < kNoJoint) ? moves : a.depth < b.depth;
         });
         return found;
     }
@@ -172,9 +173,10 @@ class NameMapper {
     }
 
     void map_leg(Side side) {
-        const Limb found = limb(best(BodyPart::upper_leg, side, kRather - 1),
+        const int upper = best(BodyPart::upper_leg, side, kRather - 1);
+        const Limb found = limb(upper,
                                 best(BodyPart::upper_leg, side),
-                                best(BodyPart::lower_leg, side),
+                                best_lower(BodyPart::lower_leg, side, upper),
                                 named(BodyPart::leg, side));
         const std::vector<Candidate> feet = named(BodyPart::foot, side);
         int foot = best_below(BodyPart::foot, side, found.lower);
@@ -194,15 +196,27 @@ class NameMapper {
         set(on_side(Bone::left_toes, side), toes);
     }
 
+    /// The best of a limb's lower bones: one that hangs on the upper one where that is known. The
+    /// target of a pole vector, "elbow.R", hangs elsewhere.
+    int best_lower(BodyPart part, Side side, int upper) const {
+        std::vector<Candidate> found = named(part, side);
+        std::erase_if(found, [&](const Candidate& one) {
+            return upper >= 0 && !tree_.is_below(one.node, upper);
+        });
+        return best_of(found);
+    }
+
     void map_arm(Side side) {
         int shoulder = best(BodyPart::shoulder, side);
+        const int collar_bone = best(BodyPart::collar_bone, side);
         const std::vector<Candidate> plain = named(BodyPart::arm, side);
         int upper = best(BodyPart::upper_arm, side);
         if (upper < 0 && plain.empty()) {  // shoulder, elbow, wrist; or collar, shoulder, ...
             upper = last_below(BodyPart::shoulder, side, shoulder);
             shoulder = upper == shoulder ? -1 : shoulder;
         }
-        const Limb found = limb(upper, -1, best(BodyPart::lower_arm, side), plain);
+        shoulder = collar_bone >= 0 ? collar_bone : shoulder;
+        const Limb found = limb(upper, -1, best_lower(BodyPart::lower_arm, side, upper), plain);
         const int hand = best_below(BodyPart::hand, side, found.lower);
         if (shoulder >= 0 && found.upper >= 0 && tree_.is_below(found.upper, shoulder)) {
             set(on_side(Bone::left_shoulder, side), shoulder);
@@ -309,10 +323,19 @@ class NameMapper {
         }
     }
 
+    /// Fingers hang on the hand or, with it, on the forearm; what carries the arm is no thumb.
+    bool is_of_hand(int joint, Side side) const {
+        const int hand = node(on_side(Bone::left_hand, side));
+        const int forearm = node(on_side(Bone::left_lower_arm, side));
+        return (hand < 0 && forearm < 0) || (hand >= 0 && tree_.is_below(joint, hand)) ||
+               (forearm >= 0 && tree_.is_below(joint, forearm));
+    }
+
     void map_finger(Side side, std::size_t finger, const std::vector<Candidate>& found) {
         std::vector<int> joints;
         for (const Candidate& one : found) {
-            const bool counts = finger == 0 || !one.words.is_metacarpal;
+            const bool counts =
+                (finger == 0 || !one.words.is_metacarpal) && is_of_hand(one.node, side);
             if (counts && one.words.doubt < kRather && joints.size() < 3 &&
                 (joints.empty() || tree_.is_below(one.node, joints.back()))) {
                 joints.push_back(one.node);

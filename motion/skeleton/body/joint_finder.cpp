@@ -74,6 +74,16 @@ class Finder {
         return {};
     }
 
+    /// Takes the body that the clip's reader knows, but for what a person said otherwise.
+    void take_known(const KnownBody& known) {
+        for (const Bone bone : all_bones()) {
+            const std::size_t at = index_of(bone);
+            if (const auto joint = known.mapping.joint(bone)) {
+                add(bone, static_cast<int>(*joint), known.reasons[at], known.confidence[at]);
+            }
+        }
+    }
+
     void take_names() {
         std::vector<NamedNode> nodes;
         for (const ClipJoint& joint : clip_.joints) {
@@ -202,7 +212,7 @@ class Finder {
     JointSearch result() && {
         JointSearch search{.found = {}, .refusal = missing_joints(clip_, found_.mapping)};
         const bool is_second = shapes_.size() > 1 && shapes_[1].fit > kSecondFit;
-        if (is_second && !is_said(Bone::hips)) {
+        if (is_second && !is_said(Bone::hips) && !clip_.known) {
             // What was said of one of them, while joints of both were taken, helps nobody.
             found_.notes.clear();
             search.refusal =
@@ -387,6 +397,10 @@ Expected<JointSearch> search_joints(const MotionClip& clip) {
     Finder finder(clip);
     if (const Expected<void> taken = finder.take_labels(); !taken) {
         return fail(taken.error());
+    }
+    if (clip.known) {
+        finder.take_known(*clip.known);
+        return std::move(finder).result();
     }
     finder.take_names();
     finder.drop_upside_down();

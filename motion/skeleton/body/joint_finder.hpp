@@ -29,6 +29,7 @@ struct JointSearch {
 
 /// Looks for the joints of a body. Three kinds of evidence are weighed:
 /// - the labels of the clip (MotionClip::labels), where a person said so: always right;
+/// - the body that the reader of a model knows (MotionClip::known), instead of all that follows;
 /// - names (bones_by_name.hpp), checked against the tree;
 /// - tree and motion (bones_by_shape.hpp), for what names leave open or where there are none.
 /// Whatever it is called, the trunk is counted in its chain from hips to arms: its first joint that

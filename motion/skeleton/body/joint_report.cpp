@@ -70,7 +70,11 @@ std::optional<Error> missing_joints(const MotionClip& clip, const HumanoidMappin
     need({Bone::hips}, "hips");
     const bool has_legs =
         need({Bone::left_upper_leg, Bone::left_lower_leg, Bone::left_foot}, "legs");
-    need({Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand}, "arms");
+    if (clip.known) {  // a model's arms may end without hands
+        need({Bone::left_upper_arm, Bone::left_lower_arm}, "arms");
+    } else {
+        need({Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand}, "arms");
+    }
     if (missing.empty()) {
         return std::nullopt;
     }

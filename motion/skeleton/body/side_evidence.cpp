@@ -123,6 +123,9 @@ double arms_beside_legs(const PosedSkeleton& skeleton, const HumanoidMapping& ma
 }
 
 bool goes_on_four(const PosedSkeleton& skeleton, const HumanoidMapping& mapping) {
+    if (!mapping.joint(Bone::left_hand) || !mapping.joint(Bone::right_hand)) {
+        return false;
+    }
     constexpr double kLeastUpright =
         0.4;                            // cosine: the trunk 66 degrees or more off the legs' line
     constexpr double kBothDown = 0.7;   // cosine between arms and legs

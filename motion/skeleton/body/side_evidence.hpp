@@ -25,7 +25,8 @@ struct SideEvidence {
                                       const HumanoidMapping& mapping);
 
 /// Whether it goes on four legs: its trunk lies across its legs, and its hands are where its feet
-/// are, in most frames. A person who crawls all the time does, too.
+/// are, in most frames. A person who crawls all the time does, too; no body
+/// without hands does.
 [[nodiscard]] bool goes_on_four(const PosedSkeleton& skeleton, const HumanoidMapping& mapping);
 
 }  // namespace raks::motion

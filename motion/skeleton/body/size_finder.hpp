@@ -22,7 +22,7 @@ struct SizeOptions {
 /// What was found about it.
 struct FoundSize {
     double metres_per_unit = 1.0;
-    double height = 0.0;             ///< of the standing body, metres
+    double height = 0.0;             ///< of the standing body, metres; of a model that of its mesh
     double confidence = 0.0;         ///< 0 to 1
     std::string reason;              ///< a few words
     std::vector<std::string> notes;  ///< one line each

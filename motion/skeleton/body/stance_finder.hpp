@@ -12,7 +12,7 @@ struct FoundStance {
     double floor = 0.0;             ///< height of the floor along up; file units
     double floor_confidence = 0.0;  ///< share of the frames in which a foot is on it
     /// Way that the body faces in the first frame, about up: 0 is the +z of the turned world, +90
-    /// its +x; degrees.
+    /// its +x; degrees. Of a clip in a model: that it faces at rest.
     double facing = 0.0;
     double facing_confidence = 0.0;  ///< share of feet and bent knees that point that way
 };

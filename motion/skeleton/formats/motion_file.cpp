@@ -9,6 +9,8 @@
 #include "motion/skeleton/formats/acclaim.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/json_arrays.hpp"
+#include "motion/skeleton/formats/mmd/mmd_clip.hpp"
+#include "motion/skeleton/formats/mmd/vpd.hpp"
 #include "motion/skeleton/formats/motion_format.hpp"
 #include "motion/skeleton/formats/npz.hpp"
 #include "motion/skeleton/formats/points.hpp"
@@ -68,6 +70,19 @@ Expected<MotionFile> read_amc(std::string_view text,
     return as_file(parse_amc(text, path.string(), *skeleton, options.frames_per_second));
 }
 
+Expected<MotionFile> read_mmd(std::string_view bytes,
+                              const std::string& name,
+                              MotionFormat format,
+                              const MotionReadOptions& options) {
+    const double arm_angle = options.arm_angle.value_or(kMmdArmAngle);
+    auto clip = format == MotionFormat::vmd ? parse_vmd(bytes, name, arm_angle)
+                                            : parse_vpd(bytes, name, arm_angle);
+    if (clip) {
+        clip->frames_per_second = options.frames_per_second.value_or(clip->frames_per_second);
+    }
+    return as_file(std::move(clip));
+}
+
 }  // namespace
 
 ClipAddress clip_address(const fs::path& argument) {
@@ -105,6 +120,9 @@ Expected<MotionFile> parse_motion(std::string_view bytes,
             return read_amc(bytes, address.file, options);
         case MotionFormat::asf:
             return fail(name + ": is a skeleton without motion; give its .amc");
+        case MotionFormat::vmd:
+        case MotionFormat::vpd:
+            return read_mmd(bytes, name, *format, options);
         case MotionFormat::smpl_npz:
             return read_smpl(read_npz(bytes, kSmplArrays), name, options);
         case MotionFormat::smpl_json:

@@ -36,6 +36,9 @@ struct MotionReadOptions {
     std::optional<double> frames_per_second = {};
     /// ASF of an AMC; empty: looked for beside it (find_asf).
     std::filesystem::path skeleton = {};
+    /// How far the arms of the body that a motion of MikuMikuDance was made for hang below the
+    /// horizon at rest, degrees; none: kMmdArmAngle. Such files do not say it.
+    std::optional<double> arm_angle = {};
     /// Models are read by a room that this one does not know (render/import): whoever does, hands
     /// its reader in. Empty: models are refused.
     ModelMotionReader read_model = {};

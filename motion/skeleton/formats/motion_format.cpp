@@ -70,7 +70,13 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
     if (begins(start, "glTF") || begins(start, "Kaydara FBX Binary") || begins(start, "; FBX ")) {
         return MotionFormat::model;
     }
+    if (begins(start, "Vocaloid Motion Data")) {
+        return MotionFormat::vmd;
+    }
     const std::string_view text = text_of(start);
+    if (begins(text, "Vocaloid Pose Data file")) {
+        return MotionFormat::vpd;
+    }
     const std::string word = lower(text.substr(0, 16));
     if (begins(word, "hierarchy")) {
         return MotionFormat::bvh;
@@ -90,7 +96,7 @@ std::optional<MotionFormat> format_of_content(std::string_view start) {
     return std::nullopt;
 }
 
-constexpr std::array<std::pair<std::string_view, MotionFormat>, 16> kEndings = {
+constexpr std::array<std::pair<std::string_view, MotionFormat>, 18> kEndings = {
     {{".bvh", MotionFormat::bvh},
      {".amc", MotionFormat::amc},
      {".asf", MotionFormat::asf},
@@ -98,6 +104,8 @@ constexpr std::array<std::pair<std::string_view, MotionFormat>, 16> kEndings = {
      {".trc", MotionFormat::trc},
      {".csv", MotionFormat::csv},
      {".tsv", MotionFormat::csv},
+     {".vmd", MotionFormat::vmd},
+     {".vpd", MotionFormat::vpd},
      {".npz", MotionFormat::smpl_npz},
      {".json", MotionFormat::smpl_json},
      {".gltf", MotionFormat::model},
@@ -147,6 +155,7 @@ bool is_clip_name(const std::filesystem::path& name) {
     switch (format_of_ending(name).value_or(MotionFormat::csv)) {
         case MotionFormat::bvh:
         case MotionFormat::amc:
+        case MotionFormat::vmd:
         case MotionFormat::smpl_npz:
         case MotionFormat::model:
             return true;
@@ -169,6 +178,10 @@ std::string refusal_of(std::string_view start) {
     }
     if (begins(start, "version https://git-lfs.")) {
         return "is a Git LFS pointer, not the file itself; fetch that (git lfs pull)";
+    }
+    if (begins(start, "PMX ") || begins(start, "Pmd")) {
+        return "is a model of MikuMikuDance (PMX, PMD), which is not read; convert it to VRM, in "
+               "Blender with MMD Tools and the VRM add-on";
     }
     const std::string word = lower(text_of(start).substr(0, 16));
     if (begins(word, "<!doctype html") || begins(word, "<html")) {

@@ -21,12 +21,14 @@ enum class MotionFormat : std::uint8_t {
     csv,        ///< points, as a table
     smpl_npz,   ///< SMPL parameters as NumPy arrays
     smpl_json,  ///< SMPL parameters as JSON
+    vmd,        ///< MikuMikuDance's motion
+    vpd,        ///< MikuMikuDance's pose
     model,      ///< glTF, GLB, VRM, VRMA, FBX or Collada
 };
 
 /// The formats with their file endings, for a message.
 inline constexpr std::string_view kKnownMotionFormats =
-    "BVH, ASF/AMC, glTF, GLB, VRMA, FBX, Collada, SMPL (.npz, .json), C3D, TRC, CSV";
+    "BVH, ASF/AMC, glTF, GLB, VRMA, FBX, Collada, VMD, VPD, SMPL (.npz, .json), C3D, TRC, CSV";
 
 /// How many bytes of a file's start tell its format.
 inline constexpr std::size_t kMotionFormatBytes = 65536;
@@ -44,7 +46,7 @@ inline constexpr std::size_t kMotionFormatBytes = 65536;
 [[nodiscard]] bool is_clip_name(const std::filesystem::path& name);
 
 /// Why these first bytes are a file that will never be read, and what to do: pickles, USD, Git
-/// LFS pointers, web pages, bare arrays. Empty: nothing of that kind.
+/// LFS pointers, web pages, bare arrays, models of MikuMikuDance. Empty: nothing of that kind.
 [[nodiscard]] std::string refusal_of(std::string_view start);
 
 }  // namespace raks::motion

@@ -4,20 +4,13 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "base/expected.hpp"
+#include "motion/skeleton/expression_track.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 namespace raks::motion {
-
-/// What an expression of the face does while the poses go on.
-struct ExpressionTrack {
-    std::string name;            ///< "happy"
-    bool is_preset = true;       ///< one of VRM 1.0's
-    std::vector<float> weights;  ///< one a pose, [0, 1]
-};
 
 /// Poses as a VRM animation (VRMC_vrm_animation 1.0 in a binary glTF 2.0): a node for each of the
 /// 52 bones, resting in the skeleton's T-pose; rotations, and the hips' travel in metres, with a

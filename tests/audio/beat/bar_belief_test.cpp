@@ -180,5 +180,20 @@ TEST(BeatChange, tells_nothing_of_what_was_not_heard) {
     }
 }
 
+// Where a song begins is most likely a downbeat; music that says otherwise wins.
+TEST(BarBelief, takes_the_first_beat_of_a_song_for_a_downbeat_until_it_hears_better) {
+    for (long start = 0; start < 4; ++start) {
+        BarBelief bars;
+        for (long number = start; number < start + 5; ++number) {
+            bars.next_beat(number);
+        }
+        bars.observe_start(start);
+        EXPECT_EQ(place(bars, start), 0);
+        EXPECT_EQ(bars.beats_per_bar(), 4);
+        hear(bars, start + 5, 32, 4, start + 1);
+        EXPECT_EQ(place(bars, start + 1), 0) << "it began with an upbeat";
+    }
+}
+
 }  // namespace
 }  // namespace raks::audio

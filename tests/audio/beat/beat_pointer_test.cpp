@@ -102,5 +102,23 @@ TEST(BeatPointer, does_not_allocate_and_stays_finite) {
     EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
 }
 
+TEST(PointerStates, another_told_tempo_leaves_nothing_of_the_one_before) {
+    PointerStates states({.told_bpm = 97.0});
+    for (const double bpm : {100.0, 0.0, 133.0}) {
+        raks::test::RealtimeScope scope;
+        states.expect_told(bpm);
+        EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+        const PointerStates fresh({.told_bpm = bpm});
+        EXPECT_TRUE(std::equal(states.prior().begin(),
+                               states.prior().end(),
+                               fresh.prior().begin(),
+                               fresh.prior().end()));
+        EXPECT_TRUE(std::equal(states.transitions().begin(),
+                               states.transitions().end(),
+                               fresh.transitions().begin(),
+                               fresh.transitions().end()));
+    }
+}
+
 }  // namespace
 }  // namespace raks::audio

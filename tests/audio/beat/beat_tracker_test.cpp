@@ -178,6 +178,19 @@ TEST_F(Commanded, nudge_moves_the_beats) {
     EXPECT_NEAR((beats - std::round(beats)) * 0.6, -0.05, 0.012) << "seconds";
 }
 
+TEST_F(Commanded, beats_that_are_set_stay_where_they_are_whatever_the_music_does) {
+    // The music has its beats at 9.6 and 10.2 s: this one is between them.
+    const auto states = after(AnalyzerCommand::Kind::set_beat);
+    for (std::size_t hop = 1001; hop < states.size(); hop += 50) {
+        const double phase =
+            BeatPhase(states[hop].grid.beats_at(stream_time_from_seconds(10.0))).value();
+        const double rate = states[hop].grid.tempo.bpm() / states[1001].grid.tempo.bpm();
+        EXPECT_NEAR(phase - std::round(phase), 0.0, 1e-6) << hop;
+        EXPECT_EQ(rate, 1.0) << hop;
+        EXPECT_TRUE(states[hop].is_tempo_held);
+    }
+}
+
 TEST_F(Commanded, taps_set_tempo_and_phase_without_music) {
     MusicAnalyzer analyzer;
     ASSERT_TRUE(analyzer.prepare(test::as_shipped()));

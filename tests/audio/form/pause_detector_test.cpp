@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace raks::audio {
@@ -156,6 +157,35 @@ TEST(PauseDetector, the_level_of_the_input_does_not_matter) {
         EXPECT_EQ(loud[i].kind, soft[i].kind);
         EXPECT_EQ(loud[i].at, soft[i].at);
         EXPECT_EQ(loud[i].told, soft[i].told);
+    }
+}
+
+// Who knows that a pause comes need not wait whether it is a gap, however many the song has.
+TEST(PauseDetector, an_announced_pause_is_known_after_20_ms_of_quiet_and_only_for_a_second) {
+    for (const HopIndex announced : {990, 1'003, 850}) {
+        PauseDetector detector;
+        std::optional<HopIndex> stopped;
+        for (HopIndex hop = 0; hop < 1'100; ++hop) {
+            if (hop == announced) {
+                detector.announce();
+            }
+            // Staccato: half of it is gaps of 80 ms.
+            const bool is_gap = hop >= 1'000 || hop % 16 >= 8;
+            const MusicEvent event = detector.advance(hop, is_gap ? -70.0F : playing(hop), 50);
+            if (hop >= 1'000 && event.kind == MusicEvent::Kind::stop) {
+                stopped = hop;
+            }
+            if (announced != 850) {
+                EXPECT_EQ(event.kind == MusicEvent::Kind::stop && hop > 700 && hop < announced,
+                          false);
+            }
+        }
+        if (announced == 850) {
+            EXPECT_FALSE(stopped && *stopped <= 1'005) << "it was told of another second";
+        } else {
+            ASSERT_TRUE(stopped);
+            EXPECT_LE(*stopped, std::max<HopIndex>(announced, 1'000) + 2);
+        }
     }
 }
 

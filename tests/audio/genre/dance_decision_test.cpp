@@ -66,5 +66,20 @@ TEST(DanceDecision, bars_of_another_metre_take_the_prior_away) {
     EXPECT_FALSE(decision.is_told());
 }
 
+TEST(DanceDecision, another_prior_counts_at_once_and_what_was_heard_stays) {
+    DanceDecision decision(kDecidedClasses, kDecidedBars, {});
+    decision.expect({0.0F, 1.5F});
+    EXPECT_EQ(decision.shown(), 1U);
+    EXPECT_TRUE(decision.is_told());
+    for (int i = 0; i < 10; ++i) {
+        decision.advance(logs_of_chances({0.9F, 0.05F, 0.05F}), 0, sure_grid(4));
+    }
+    EXPECT_EQ(decision.shown(), 0U);
+    decision.expect({0.0F, 1.0F});
+    EXPECT_EQ(decision.shown(), 0U) << "it is heard";
+    decision.reset();
+    EXPECT_EQ(decision.shown(), 1U);
+}
+
 }  // namespace
 }  // namespace raks::audio

@@ -66,7 +66,7 @@ TEST(ForeignFbx, that_is_none_or_cut_is_told) {
     EXPECT_EQ(fault(ForeignFormat::fbx, head + version),
               "is damaged: the record at byte 27 is cut off");
     EXPECT_EQ(fault(ForeignFormat::fbx, head + std::string("\x0F\x27\0\0", 4)),
-              "FBX version 9999: 6100 to 7900 are read");
+              "FBX version 9999: 7100 to 7900 are read; save it as GLB, in Blender for example");
     // A record "a" that would end at its own start.
     const std::string own_start(
         "\x1B\0\0\0\0\0\0\0\0\0\0\0\x01"
@@ -108,6 +108,87 @@ TEST(ForeignFbx, a_mesh_of_a_model_that_is_not_there_goes_to_the_one_without_a_m
     notes.clear();
     EXPECT_EQ(mended_text(ForeignFormat::fbx, loose, notes), loose);
     EXPECT_TRUE(notes.empty());
+}
+
+std::string bar(const char* name) {
+    return read_file(std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/" + name).value();
+}
+
+/// A number and a text as properties of a binary FBX.
+std::string number_property(std::int64_t value) {
+    std::string bytes(1 + sizeof(value), 'L');
+    std::memcpy(bytes.data() + 1, &value, sizeof(value));
+    return bytes;
+}
+std::string text_property(const std::string& text) {
+    std::string bytes("S\0\0\0\0", 5);
+    bytes[1] = static_cast<char>(text.size());
+    return bytes + text;
+}
+
+/// What stands once in it, replaced.
+std::string replaced(std::string bytes, const std::string& old, const std::string& now) {
+    const std::size_t at = bytes.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    EXPECT_EQ(bytes.find(old, at + 1), std::string::npos) << old;
+    return at == std::string::npos ? bytes : bytes.replace(at, old.size(), now);
+}
+
+TEST(ForeignFbx, a_connection_from_a_property_becomes_one_to_a_property) {
+    const std::string turn = text_property("Lcl Rotation");
+    const std::string child = number_property(620);
+    const std::string parent = number_property(312);
+    const std::string good = bar("bent_bar.fbx");
+    std::vector<std::string> notes;
+    for (const std::string& from_property : {text_property("PO") + child + turn + parent,
+                                             text_property("PO") + child + parent + turn}) {
+        EXPECT_EQ(
+            mended_text(ForeignFormat::fbx,
+                        replaced(good, text_property("OP") + child + parent + turn, from_property),
+                        notes),
+            good);
+    }
+    const std::string text = bar("bent_bar_text.fbx");
+    EXPECT_EQ(mended_text(ForeignFormat::fbx,
+                          replaced(text,
+                                   "\"OP\", 620, 312, \"Lcl Rotation\"",
+                                   "\"PO\", 620, \"Lcl Rotation\", 312"),
+                          notes),
+              text);
+    EXPECT_TRUE(notes.empty());
+    // Nothing to mend at the end of a text, and in words.
+    for (const char* const end :
+         {"C: \"PO\"", "C: \"PO\", 6", "C: \"PO\", 6, \"a", "\"PO\",1,\"a\",2"}) {
+        const std::string cut = text + "; " + end;
+        EXPECT_EQ(mended_text(ForeignFormat::fbx, cut, notes), cut) << end;
+    }
+}
+
+TEST(ForeignFbx, a_connection_that_assimp_cannot_read_is_left_out_with_a_note) {
+    const std::string good = bar("bent_bar.fbx");
+    const std::string number = number_property(620);
+    // As wide as the number that stood there.
+    const std::string word = text_property("1234");
+    const std::string at = text_property("OP") + number + number_property(312);
+    std::vector<std::string> notes;
+    const auto mended =
+        mended_text(ForeignFormat::fbx,
+                    replaced(good, at, text_property("OP") + word + number_property(312)),
+                    notes);
+    ASSERT_TRUE(mended);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0], "1 of its connections are of no kind that is read: left out");
+    EXPECT_EQ(*mended,
+              replaced(good, "C" + at, "c" + text_property("OP") + word + number_property(312)));
+}
+
+TEST(ForeignFbx, no_colour_has_a_factor) {
+    std::vector<std::string> notes;
+    EXPECT_EQ(
+        mended_text(ForeignFormat::fbx,
+                    "FBXHeaderExtension: {\n}\nP: \"DiffuseFactor\", \"Number\", \"\", \"A\",0.8\n",
+                    notes),
+        "FBXHeaderExtension: {\n}\nP: \"DiffuseFacto_\", \"Number\", \"\", \"A\",0.8\n");
 }
 
 TEST(ForeignCollada, utf_16_becomes_utf_8) {

@@ -185,6 +185,58 @@ TEST_F(ImportChild, a_bone_that_has_its_own_size_does_not_take_that_of_its_paren
     }
 }
 
+std::string bar_as_text() {
+    return read_file(std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/bent_bar_text.fbx")
+        .value();
+}
+
+std::string with_in_place(std::string text, const std::string& old, const std::string& now) {
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return at == std::string::npos ? text : text.replace(at, old.size(), now);
+}
+
+const char* const kBarColour = R"(P: "DiffuseColor", "Color", "", "A", 0.8, 0.4, 0.2)";
+const char* const kBarPicture = R"(C: "OP", 520, 500, "DiffuseColor")";
+
+TEST_F(ImportChild, colours_of_an_fbx_are_linear_and_have_no_factor_but_for_glow) {
+    const std::string colours = R"(P: "DiffuseColor", "Color", "", "A", 0.1746, 0.1144, 0.0612
+P: "DiffuseFactor", "Number", "", "A", 0.8
+P: "EmissiveColor", "Color", "", "A", 0.5, 0.25, 0
+P: "EmissiveFactor", "Number", "", "A", 0.5
+)";
+    const std::string text =
+        with_in_place(with_in_place(bar_as_text(), kBarColour, colours), kBarPicture, "");
+    const auto model = load_model(give("x.fbx", text));
+    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_EQ(model->materials.size(), 1U);
+    EXPECT_EQ(model->materials[0].base_colour, glm::vec4(0.1746F, 0.1144F, 0.0612F, 1.0F));
+    EXPECT_EQ(model->materials[0].emissive, glm::vec3(0.25F, 0.125F, 0.0F));
+}
+
+TEST_F(ImportChild, connections_of_properties_do_not_keep_an_fbx_from_being_read) {
+    const std::string turn = R"(C: "OP", 620, 312, "Lcl Rotation")";
+    const std::string turned = R"(C: "PO", 620, "Lcl Rotation", 312)";
+    const std::string text =
+        with_in_place(bar_as_text(), turn, turned + "\n\tC: \"PP\", 200, \"Show\", 312, \"Show\"");
+    const auto plain = load_model(give("plain.fbx", bar_as_text()));
+    const auto model = load_model(give("x.fbx", text));
+    ASSERT_TRUE(plain) << plain.error().message;
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_TRUE(model->warnings.empty());
+    ASSERT_EQ(model->animations.size(), 1U);
+    ASSERT_EQ(model->animations[0].channels.size(), plain->animations.at(0).channels.size());
+    EXPECT_EQ(model->animations[0].channels[0].values, plain->animations[0].channels[0].values);
+}
+
+TEST_F(ImportChild, a_whole_fbx_that_assimp_cannot_read_is_to_be_saved_as_glb) {
+    const std::string text =
+        with_in_place(bar_as_text(), "C: \"OO\", 100, 200", "C: \"OO\", \"a\", 200");
+    const std::string said = message(load_model(give("x.fbx", text)));
+    EXPECT_NE(said.find("the file is whole, but assimp"), std::string::npos) << said;
+    EXPECT_NE(said.find("save it as GLB"), std::string::npos) << said;
+}
+
 TEST_F(ImportChild, that_breaks_off_is_one_line) {
     const fs::path file = give("x.dae", kCollada);
     replace("exit 3\n");

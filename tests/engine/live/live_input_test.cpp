@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audio/music/generator/music_generator.hpp"
+#include "engine/setup/told_genre.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/realtime_guard.hpp"
 
@@ -169,6 +170,30 @@ TEST_F(LiveInputTest, a_rate_that_nobody_can_analyze_is_refused) {
     const auto refused = input_->resume(SampleRate(4'000));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message, "sample rate is 4000 Hz, must be 8000 to 192000");
+}
+
+// What a player says of its song counts as what a file says of itself, from the next block on.
+TEST_F(LiveInputTest, a_song_that_a_player_names_begins_with_what_is_told_of_it) {
+    hear(record_at(48'000), std::chrono::seconds(2));
+    audio::AudioTags tags;
+    tags.genre = "Salsa";
+    tags.bpm = 96.0;
+    const AnalyzerModels told_models = told(installed::models(), tags, {});
+    const SongNews begins{SongNews::Kind::begins, {told_models.genre_prior, told_models.told_bpm}};
+    ASSERT_TRUE(input_->analysis().tell(begins));
+    hear(record_at(48'000), milliseconds(100));
+    EXPECT_EQ(gaps_, 1);
+    EXPECT_EQ(installed::models().dances->name_of(last_.genre), "salsa");
+    EXPECT_TRUE(last_.is_genre_told);
+    ASSERT_TRUE(input_->analysis().tell({SongNews::Kind::told, {}}));
+    hear(record_at(48'000), milliseconds(100));
+    EXPECT_EQ(last_.genre, DanceId::none) << "another player, which says nothing";
+    for (int i = 0; i < 16; ++i) {
+        EXPECT_TRUE(input_->analysis().tell({SongNews::Kind::jump, {}}));
+    }
+    EXPECT_FALSE(input_->analysis().tell({SongNews::Kind::pause, {}})) << "bounded";
+    hear(record_at(48'000), milliseconds(100));
+    EXPECT_TRUE(input_->analysis().tell({SongNews::Kind::pause, {}}));
 }
 
 }  // namespace

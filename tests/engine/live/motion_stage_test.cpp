@@ -47,6 +47,25 @@ TEST(MotionStage, publishes_the_newest_stage_to_every_reader) {
     EXPECT_FALSE(is_new);
 }
 
+TEST(MotionStage, shows_the_stage_to_a_feed_that_was_asked_for_it) {
+    EventQueue<MusicState> states(8);
+    MusicFeed feed;
+    MotionStage motion(motion::Ensemble(), {.states = states, .readers = {}, .feed = &feed});
+    ASSERT_TRUE(states.push(state_of(0)));
+    motion.tick();
+    EXPECT_EQ(feed.stage(), nullptr) << "nobody asked";
+    feed.ask_for_stage();
+    EXPECT_EQ(feed.stage(), nullptr) << "nobody has danced since";
+    ASSERT_TRUE(states.push(state_of(1)));
+    test::RealtimeScope scope;
+    motion.tick();
+    EXPECT_TRUE(scope.stop().is_clean()) << scope.stop().describe();
+    feed.ask_for_stage();
+    ASSERT_NE(feed.stage(), nullptr) << "who asks twice loses nothing";
+    EXPECT_EQ(feed.stage()->music.hop, 1);
+    EXPECT_TRUE(is_whole(*feed.stage()));
+}
+
 TEST(MotionStage, shows_how_the_dancer_stands_before_the_music_begins) {
     EventQueue<MusicState> states(8);
     const auto channel = std::make_unique<StageChannel>();

@@ -10,9 +10,9 @@ namespace raks::engine {
 namespace {
 
 // The pose of a moment has its seconds as the place of the hips.
-motion::Pose pose_of(double seconds) {
+motion::Pose pose_of(const MusicState& state) {
     motion::Pose pose;
-    pose.hips_position.x = static_cast<float>(seconds);
+    pose.hips_position.x = static_cast<float>(to_seconds(state.time));
     return pose;
 }
 

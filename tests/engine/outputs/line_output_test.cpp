@@ -108,5 +108,13 @@ TEST_F(LineOutput, drops_whole_lines_while_nobody_reads_and_goes_on_then) {
     EXPECT_EQ(nlohmann::json::parse(got.substr(got.rfind('{')))["count"], 3);
 }
 
+TEST_F(LineOutput, writes_what_a_player_plays) {
+    auto output = open_lines(path("songs"));
+    ASSERT_TRUE(output) << output.error().message;
+    (*output)->name_song({"\"So\"", "Ñ"});
+    EXPECT_EQ(nlohmann::json::parse(*read_file(path("songs"), 10'000)),
+              nlohmann::json({{"do", "now"}, {"title", "\"So\""}, {"artist", "Ñ"}}));
+}
+
 }  // namespace
 }  // namespace raks::engine

@@ -259,5 +259,16 @@ TEST_F(OscOutputs, speak_as_other_senders_do) {
     EXPECT_TRUE(peer_.take().empty());
 }
 
+TEST_F(OscOutputs, tell_what_a_player_plays) {
+    open();
+    output_->name_song({"Quimbara", "Celia Cruz, Johnny Pacheco"});
+    output_->name_song({});
+    EXPECT_EQ(peer_.take_texts(),
+              (Texts{"/raks/now ss Quimbara Celia Cruz, Johnny Pacheco", "/raks/now ss  "}));
+    open(",preset=plain");
+    output_->name_song({"Quimbara", "Celia Cruz"});
+    EXPECT_EQ(peer_.take_texts(), (Texts{"/raks/goodbye i 1"})) << "others know no such thing";
+}
+
 }  // namespace
 }  // namespace raks::engine

@@ -83,6 +83,19 @@ INSTANTIATE_TEST_SUITE_P(
                   "de sk",
                   "\"de sk\" is no target; write HOST or HOST:PORT, a port is 1 to 65535"},
         BadTarget{"os2l", "desk,rate=5", "option \"rate\" is unknown; known: lead, factor"},
+        BadTarget{
+            "vmc", "pc:0", "\"pc:0\" is no target; write HOST or HOST:PORT, a port is 1 to 65535"},
+        BadTarget{"vmc", "pc,dancer=0", "dancer=0 must be 1 to 32"},
+        BadTarget{"vmc", "pc,dancer=1.5", "dancer= counts the dancers: 1, 2, ..."},
+        BadTarget{"vmc", "pc,rate=121", "rate=121 must be 1 to 120"},
+        BadTarget{"vmc", "pc,travel=feet", "travel \"feet\" is unknown; known: hips, root, none"},
+        BadTarget{"vmc", "pc,way=-1", "way=-1 must be 0 to 4"},
+        BadTarget{"vmc", "pc,rotations=row", "rotations \"row\" is unknown; did you mean \"raw\"?"},
+        BadTarget{"vmc", "pc,yaw=400", "yaw=400 must be -360 to 360"},
+        BadTarget{
+            "vmc",
+            "pc,factor=2",
+            "option \"factor\" is unknown; known: dancer, rate, travel, way, rotations, yaw, lead"},
         BadTarget{"lines", "beats,factor=x", "factor=x must be 0.5, 1 or 2"}));
 
 }  // namespace

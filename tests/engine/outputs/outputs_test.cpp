@@ -17,6 +17,7 @@ struct Told {
     std::vector<Notice> notices;
     std::vector<Nanos> early;  // of the notices: so long before it was heard
     std::vector<HopIndex> hops;
+    std::vector<std::string> titles;
 };
 Told told;
 
@@ -32,6 +33,10 @@ class KeptOutput final : public Output {
     void hear(const OutputHop& hop) override {
         const std::lock_guard lock(told.mutex);
         told.hops.push_back(hop.music.hop);
+    }
+    void name_song(const SongName& song) override {
+        const std::lock_guard lock(told.mutex);
+        told.titles.push_back(song.title);
     }
     std::optional<std::string> take_trouble() override {
         return std::exchange(has_said_, true) ? std::nullopt : std::optional<std::string>("x: oh");
@@ -58,6 +63,7 @@ class OutputsThread : public ::testing::Test {
         told.notices.clear();
         told.early.clear();
         told.hops.clear();
+        told.titles.clear();
     }
     void open(const std::string& target) {
         auto opened = Outputs::open({{&kKept, target}});
@@ -152,6 +158,19 @@ TEST_F(OutputsThread, shows_how_each_stands) {
     wait_until([&] { return outputs_->status()[0].sent == 3; });
     const std::lock_guard lock(told.mutex);
     EXPECT_FALSE(told.notices[1].is_counted) << "half way";
+}
+
+TEST_F(OutputsThread, tells_a_song_where_it_is_another_one) {
+    open("x");
+    const auto titles = [] {
+        const std::lock_guard lock(told.mutex);
+        return told.titles;
+    };
+    for (const char* title : {"one", "one", "two"}) {
+        outputs_->name_song({title, "somebody"});
+        wait_until([&] { return !titles().empty() && titles().back() == title; });
+    }
+    EXPECT_EQ(titles(), (std::vector<std::string>{"one", "two"}));
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ TEST(RemoteMessage, the_state_has_beats_to_come_by_the_same_clock) {
     state.bpm = 119.984;
     state.is_locked = true;
     state.source = "a \"song\"\n\xff";
+    state.song = {"mpv", "Quimbara", "Celia \"la reina\" Cruz", true};
     state.beats = {{kNow + milliseconds(120), 4}, {kNow + milliseconds(620), 1}};
     state.targets = {{"--osc studio:9000", 7, 2, "nobody listens there"}};
     const auto text = nlohmann::json::parse(remote_text(state));
@@ -106,6 +107,11 @@ TEST(RemoteMessage, the_state_has_beats_to_come_by_the_same_clock) {
     EXPECT_EQ(text["beats"][1]["count"], 1);
     EXPECT_EQ(text["targets"][0]["dropped"], 2);
     EXPECT_EQ(text["locked"], true);
+    EXPECT_EQ(text["playing"],
+              nlohmann::json({{"player", "mpv"},
+                              {"title", "Quimbara"},
+                              {"artist", "Celia \"la reina\" Cruz"},
+                              {"playing", true}}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "base/pending_file.hpp"
 #include "engine/show/avatar_model.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "tests/motion/skeleton/formats/vmd_maker.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
@@ -51,6 +52,24 @@ TEST(AvatarClip, a_vrma_moves_the_mannequin) {
     ASSERT_TRUE(clip) << clip.error().message;
     EXPECT_GT(clip->duration(), 0.5);
     EXPECT_EQ(clip->rate(), 60.0);
+}
+
+TEST(AvatarClip, a_motion_of_mikumikudance_moves_body_and_face) {
+    const test::TemporaryFolder folder;
+    test::VmdMaker maker;
+    maker.count(2).bone(test::kVmdCenter, 0, {0, 0, 0}).bone(test::kVmdCenter, 30, {0, -2, 0});
+    // The morph "a", whose two bytes are these.
+    maker.count(2).morph("\x82\xA0", 0, 0.0F).morph("\x82\xA0", 30, 1.0F);
+    ASSERT_TRUE(write_file(folder / "x.vmd", maker.bytes()));
+    const auto clip = AvatarClip::load((folder / "x.vmd").string(), hips());
+    ASSERT_TRUE(clip) << clip.error().message;
+    EXPECT_EQ(clip->rate(), 30.0);
+    EXPECT_EQ(clip->duration(), 1.0);
+    expect_upright(clip->pose_at(1.0));
+    EXPECT_NEAR(
+        clip->pose_at(0.0).hips_position.y - clip->pose_at(1.0).hips_position.y, 0.16F, 0.01F);
+    EXPECT_NEAR(clip->face_at(0.5)->weight(render::FaceExpression::aa), 0.5F, 1e-4F);
+    EXPECT_EQ(clip->face_at(9.0)->weight(render::FaceExpression::aa), 1.0F);
 }
 
 TEST(AvatarClip, a_figure_of_a_written_dance_moves_the_body_round_and_round) {

@@ -75,6 +75,25 @@ TEST(LimbParts, that_have_their_joints_are_left_alone) {
     EXPECT_EQ(body.bones.places[index_of(Bone::left_lower_leg)].y, 0.4F);
 }
 
+TEST(LimbParts, of_an_arm_that_ends_with_its_forearm_have_a_wrist) {
+    PartBody body = part_body();
+    const auto elbow = index_of(Bone::left_lower_arm);
+    body.bones.is_there[elbow] = true;
+    body.bones.places[elbow] = {0.5F, 1.4F, 0.0F};
+    for (FleshPoint& point : body.flesh) {
+        const bool is_beyond = point.bone == index_of(Bone::left_upper_arm) && point.place.x > 0.5F;
+        point.bone = is_beyond ? elbow : point.bone;
+    }
+    add_lacking_joints(body.flesh, body.bones);
+    EXPECT_TRUE(body.bones.is_there[index_of(Bone::left_hand)]);
+    EXPECT_NEAR(body.bones.places[index_of(Bone::left_hand)].x, 0.5F + 0.58F * 0.3F, 1e-5F);
+    for (const FleshPoint& point : body.flesh) {
+        if (point.bone == index_of(Bone::left_hand)) {
+            EXPECT_GT(point.place.x, 0.67F);
+        }
+    }
+}
+
 TEST(LimbParts, point_where_the_end_of_a_bent_limb_is) {
     const CounterRandom random(3);
     for (std::uint64_t i = 0; i < 200; ++i) {

@@ -375,6 +375,26 @@ TEST_F(SurfaceTest, an_avatar_that_is_taken_in_pieces_looks_as_one_taken_at_once
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+TEST_F(SurfaceTest, images_are_freed_once_the_driver_has_them_and_come_back_for_another_one) {
+    ModelMaterial material;
+    material.is_unlit = true;
+    material.base_texture.texture = 0;
+    Model model = sphere_model(material);
+    model.textures.push_back({.image = 0});
+    int unpacked = 0;
+    const auto images = std::make_shared<SurfaceImages>(std::vector<Image>{large_image()}, [&] {
+        ++unpacked;
+        return std::vector<Image>{large_image()};
+    });
+    const Avatar avatar = build_avatar_with(images, model, {});
+    const std::weak_ptr<const std::vector<Image>> pixels = images->get();
+    const Picture first = draw(avatar, plain_scene(), Quality::fast);
+    EXPECT_TRUE(pixels.expired());
+    EXPECT_EQ(unpacked, 0);
+    EXPECT_EQ(draw(avatar, plain_scene(), Quality::fast).rgba, first.rgba);
+    EXPECT_EQ(unpacked, 1);
+}
+
 TEST_F(SurfaceTest, avatars_come_and_go_by_their_handles) {
     ModelMaterial material;
     material.is_unlit = true;

@@ -13,9 +13,9 @@ namespace {
 
 using namespace raks;
 using namespace raks::render;
-using test::read_text;
-using test::replaced;
-using test::tiny_gltf;
+using raks::test::read_text;
+using raks::test::replaced;
+using raks::test::tiny_gltf;
 
 TEST(GltfReader, reads_all_parts_of_a_model) {
     const auto model = read_text(tiny_gltf());
@@ -79,7 +79,7 @@ TEST(GltfReader, reads_animations) {
 
 TEST(GltfReader, reads_the_same_from_a_container) {
     const auto text = read_text(tiny_gltf());
-    const auto container = read_text(test::tiny_glb(), "x.GLB");
+    const auto container = read_text(raks::test::tiny_glb(), "x.GLB");
     ASSERT_TRUE(container) << container.error().message;
     EXPECT_EQ(container->meshes[0].primitives[0].positions,
               text->meshes[0].primitives[0].positions);
@@ -208,7 +208,7 @@ TEST(GltfReader, mends_what_can_be_mended_and_says_so) {
 
 TEST(GltfReader, takes_strips_and_fans_apart) {
     // Eight bytes that were the times are the corners 0 1 2 1 0 0 0 0.
-    std::string buffer = test::tiny_buffer();
+    std::string buffer = raks::test::tiny_buffer();
     buffer.replace(268, 8, std::string_view("\0\1\2\1\0\0\0\0", 8));
     std::string text = tiny_gltf(buffer);
     text.erase(text.find("\"animations\""),
@@ -225,7 +225,7 @@ TEST(GltfReader, takes_strips_and_fans_apart) {
 }
 
 TEST(GltfReader, survives_a_model_cut_at_every_byte) {
-    for (const std::string& file : {test::tiny_glb(), tiny_gltf()}) {
+    for (const std::string& file : {raks::test::tiny_glb(), tiny_gltf()}) {
         for (std::size_t size = 0; size < file.size(); ++size) {
             const auto model = read_text(file.substr(0, size), "x.glb");
             ASSERT_FALSE(model) << size << " bytes";
@@ -235,10 +235,10 @@ TEST(GltfReader, survives_a_model_cut_at_every_byte) {
 }
 
 TEST(GltfReader, survives_damaged_bytes) {
-    const std::string good = test::tiny_glb();
+    const std::string good = raks::test::tiny_glb();
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         const auto model =
-            read_text(test::mangled(good, {.seed = seed, .bytes = 1 + seed % 5}), "x.glb");
+            read_text(raks::test::mangled(good, {.seed = seed, .bytes = 1 + seed % 5}), "x.glb");
         if (model) {
             (void)survey(*model);
         } else {

@@ -21,9 +21,9 @@ using motion::Bone;
 
 /// small_figure with toes, a neck and other names.
 Model figure_named(const std::string& prefix) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     for (const int foot : {5, 11}) {
-        test::add_node(model, "toes", foot, {0.0F, -0.05F, 0.15F});
+        raks::test::add_node(model, "toes", foot, {0.0F, -0.05F, 0.15F});
     }
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         model.nodes[i].name = prefix + std::to_string(i);
@@ -36,7 +36,7 @@ int node_of_bone(const Model& model, Bone bone) {
 }
 
 bool warns(const Model& model, std::string_view words) {
-    return test::ReadFigure{.model = model, .error = {}}.warns(words);
+    return raks::test::ReadFigure{.model = model, .error = {}}.warns(words);
 }
 
 glm::vec3 place(const StandingBody& standing, const Model& model, Bone bone) {
@@ -70,7 +70,7 @@ TEST(HumanoidMap, a_figure_that_faces_away_has_its_left_on_the_other_side) {
 }
 
 TEST(HumanoidMap, a_left_that_lies_right_is_swapped_and_said) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     for (ModelNode& node : model.nodes) {
         if (node.name.rfind("left", 0) == 0) {
             node.name.replace(0, 4, "right");
@@ -78,8 +78,8 @@ TEST(HumanoidMap, a_left_that_lies_right_is_swapped_and_said) {
             node.name.replace(0, 5, "left");
         }
     }
-    test::add_node(model, "rightToes", 5, {0.0F, -0.05F, 0.15F});
-    test::add_node(model, "leftToes", 11, {0.0F, -0.05F, 0.15F});
+    raks::test::add_node(model, "rightToes", 5, {0.0F, -0.05F, 0.15F});
+    raks::test::add_node(model, "leftToes", 11, {0.0F, -0.05F, 0.15F});
     ASSERT_TRUE(map_humanoid(model));
     EXPECT_EQ(node_of_bone(model, Bone::left_hand), 8);
     EXPECT_EQ(model.character.humanoid.reasons[motion::index_of(Bone::left_hand)],
@@ -89,20 +89,21 @@ TEST(HumanoidMap, a_left_that_lies_right_is_swapped_and_said) {
 
 TEST(HumanoidMap, what_is_missing_is_listed_in_one_line) {
     Model model;
-    const int hips = test::add_node(model, "hips", -1);
-    test::add_node(model, "head", test::add_node(model, "spine", hips));
+    const int hips = raks::test::add_node(model, "hips", -1);
+    raks::test::add_node(model, "head", raks::test::add_node(model, "spine", hips));
     const auto mapped = map_humanoid(model);
     ASSERT_FALSE(mapped);
-    EXPECT_EQ(mapped.error().message,
-              "no humanoid is found in it: no leftUpperLeg, leftLowerLeg, leftFoot, leftUpperArm, "
-              "leftLowerArm, leftHand, rightUpperLeg, rightLowerLeg, rightFoot, rightUpperArm, "
-              "rightLowerArm, rightHand; name its bones in a label file");
+    EXPECT_EQ(
+        mapped.error().message,
+        "no humanoid is found in it: no leftUpperLeg, leftLowerLeg, leftFoot, leftUpperArm, "
+        "leftLowerArm, rightUpperLeg, rightLowerLeg, rightFoot, rightUpperArm, rightLowerArm; "
+        "name its bones in a label file");
     Model empty;
     EXPECT_FALSE(map_humanoid(empty));
 }
 
 TEST(HumanoidMap, a_figure_on_four_legs_is_refused) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     model.nodes[0].rotation = glm::angleAxis(1.5F, glm::vec3(1.0F, 0.0F, 0.0F));
     const auto mapped = map_humanoid(model);
     ASSERT_FALSE(mapped);
@@ -110,7 +111,7 @@ TEST(HumanoidMap, a_figure_on_four_legs_is_refused) {
 }
 
 TEST(HumanoidMap, what_the_file_says_stands) {
-    Model model = test::read_vrm1_text().model;
+    Model model = raks::test::read_vrm1_text().model;
     model.nodes[5].name = "no foot";
     ASSERT_TRUE(map_humanoid(model));
     EXPECT_EQ(node_of_bone(model, Bone::left_foot), 5);
@@ -228,7 +229,7 @@ Model part_man() {
     Model model;
     const auto add =
         [&model](const char* name, int parent, const glm::vec3& place, const glm::vec3& end) {
-            const int node = test::add_node(model, name, parent, place);
+            const int node = raks::test::add_node(model, name, parent, place);
             ModelPrimitive flesh;
             flesh.positions = {glm::vec3(0.0F), end, 0.5F * end + glm::vec3(0.0F, 0.0F, 0.01F)};
             flesh.indices = {0, 1, 2};
@@ -320,7 +321,7 @@ TEST(BoneLabels, any_damaged_text_is_read_or_refused) {
     const std::string text = kLabels;
     for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
         const auto labels =
-            read_bone_labels(test::mangled(text, {.seed = seed, .bytes = 1 + seed % 3}), "m");
+            read_bone_labels(raks::test::mangled(text, {.seed = seed, .bytes = 1 + seed % 3}), "m");
         if (!labels) {
             EXPECT_EQ(labels.error().message.find('\n'), std::string::npos);
         }
@@ -334,7 +335,7 @@ TEST(BoneLabels, any_damaged_text_is_read_or_refused) {
 // ---- How a figure stands
 
 TEST(StandingBody, a_pose_of_an_animation_is_no_bind_pose) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     const std::vector<glm::mat4> bound = rest_world(model);
     model.skins.emplace_back();
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
@@ -352,9 +353,9 @@ TEST(StandingBody, a_pose_of_an_animation_is_no_bind_pose) {
 TEST(StandingBody, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
     // The small skin is first in the file, was bound with arms hanging, and alone has the
     // helper.
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     constexpr int kLowerArm = 7;
-    test::add_node(model, "helper", kLowerArm, {0.0F, 0.01F, 0.0F});
+    raks::test::add_node(model, "helper", kLowerArm, {0.0F, 0.01F, 0.0F});
     const auto helper = static_cast<int>(model.nodes.size()) - 1;
     const std::vector<glm::mat4> rest = rest_world(model);
     Model hanging = model;
@@ -378,7 +379,7 @@ TEST(StandingBody, helpers_of_a_skin_bound_in_another_pose_hang_as_stored) {
 }
 
 TEST(StandingBody, arms_are_brought_level_and_legs_down) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     for (const int arm : {6, 12}) {  // an A-pose
         const float side = arm == 6 ? 1.0F : -1.0F;
         model.nodes[static_cast<std::size_t>(arm)].rotation =
@@ -400,7 +401,7 @@ TEST(StandingBody, arms_are_brought_level_and_legs_down) {
 
 TEST(StandingBody, faces_plus_z) {
     for (const float yaw : {0.5F, 1.5708F, 3.1F}) {
-        Model model = test::small_figure();
+        Model model = raks::test::small_figure();
         model.nodes[0].rotation = glm::angleAxis(yaw, glm::vec3(0.0F, 1.0F, 0.0F));
         ASSERT_TRUE(map_humanoid(model));
         const StandingBody standing = stand_up(model);
@@ -412,7 +413,7 @@ TEST(StandingBody, faces_plus_z) {
 }
 
 TEST(StandingBody, of_vrm_is_as_stored_and_of_0_turned_by_half) {
-    Model model = test::read_vrm0_text().model;
+    Model model = raks::test::read_vrm0_text().model;
     model.nodes[0].translation.x = 0.5F;
     const StandingBody standing = stand_up(model);
     EXPECT_NEAR(standing.world[0][3].x, -0.5F, 1e-6F);
@@ -420,7 +421,7 @@ TEST(StandingBody, of_vrm_is_as_stored_and_of_0_turned_by_half) {
 }
 
 TEST(StandingBody, is_scaled_where_it_is_no_persons_size) {
-    Model model = test::small_figure();
+    Model model = raks::test::small_figure();
     ASSERT_TRUE(map_humanoid(model));
     model.nodes[2].mesh = -1;
     EXPECT_FLOAT_EQ(stand_up(model).scale, 1.0F);
@@ -436,15 +437,15 @@ TEST(StandingBody, is_scaled_where_it_is_no_persons_size) {
 
 TEST(StandingBody, feet_of_a_rig_are_moved_to_their_legs) {
     Model model;
-    const int root = test::add_node(model, "root", -1);
-    Model small = test::small_figure();
+    const int root = raks::test::add_node(model, "root", -1);
+    Model small = raks::test::small_figure();
     for (const ModelNode& node : small.nodes) {
         const bool is_foot = node.name.find("Foot") != std::string::npos;
         const float side = node.name.rfind("left", 0) == 0 ? 1.0F : -1.0F;
-        test::add_node(model,
-                       node.name,
-                       is_foot || node.parent < 0 ? root : node.parent + 1,
-                       is_foot ? glm::vec3(0.1F * side, 0.05F, 0.0F) : node.translation);
+        raks::test::add_node(model,
+                             node.name,
+                             is_foot || node.parent < 0 ? root : node.parent + 1,
+                             is_foot ? glm::vec3(0.1F * side, 0.05F, 0.0F) : node.translation);
     }
     ASSERT_TRUE(map_humanoid(model));
     const int foot = node_of_bone(model, Bone::left_foot);

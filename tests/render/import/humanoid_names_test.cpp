@@ -44,18 +44,19 @@ int add_chain(Model& model,
               const glm::vec3& first,
               const glm::vec3& step) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-        parent = test::add_node(model, with_side(names[i], side), parent, i == 0 ? first : step);
+        parent =
+            raks::test::add_node(model, with_side(names[i], side), parent, i == 0 ? first : step);
     }
     return parent;
 }
 
 Model figure_of(const Scheme& scheme) {
     Model model;
-    const int root = test::add_node(model, "Root Node", -1);
-    const int hips = test::add_node(model, scheme.trunk.front(), root, {0, 1, 0});
+    const int root = raks::test::add_node(model, "Root Node", -1);
+    const int hips = raks::test::add_node(model, scheme.trunk.front(), root, {0, 1, 0});
     int top = hips;
     for (std::size_t i = 1; i < scheme.trunk.size(); ++i) {
-        top = test::add_node(model, scheme.trunk[i], top, {0, 0.15F, 0});
+        top = raks::test::add_node(model, scheme.trunk[i], top, {0, 0.15F, 0});
     }
     add_chain(model, top, scheme.neck, "", {0, 0.2F, 0}, {0, 0.1F, 0});
     for (const float side : {1.0F, -1.0F}) {
@@ -302,8 +303,8 @@ TEST(HumanoidNames, fingers_are_counted_from_the_palm) {
 }
 
 TEST(HumanoidNames, joints_come_before_meshes_of_the_same_name) {
-    Model model = test::small_figure();
-    const int mesh = test::add_node(model, "head", -1);
+    Model model = raks::test::small_figure();
+    const int mesh = raks::test::add_node(model, "head", -1);
     model.skins.emplace_back();
     for (int node = 0; node < mesh; ++node) {
         model.skins[0].joints.push_back(node);
@@ -316,18 +317,21 @@ TEST(HumanoidNames, joints_come_before_meshes_of_the_same_name) {
 TEST(HumanoidNames, hips_are_what_carries_legs_and_trunk) {
     // A robot whose "Hips" carry the trunk alone; its legs hang on "Body".
     Model model;
-    const int body = test::add_node(model, "Body", -1, {0, 1, 0});
-    const int hips = test::add_node(model, "Hips", body);
-    const int abdomen = test::add_node(model, "Abdomen", hips, {0, 0.2F, 0});
-    const int head = test::add_node(model, "Head", abdomen, {0, 0.3F, 0});
+    const int body = raks::test::add_node(model, "Body", -1, {0, 1, 0});
+    const int hips = raks::test::add_node(model, "Hips", body);
+    const int abdomen = raks::test::add_node(model, "Abdomen", hips, {0, 0.2F, 0});
+    const int head = raks::test::add_node(model, "Head", abdomen, {0, 0.3F, 0});
     for (const float side : {1.0F, -1.0F}) {
         const std::string end = side > 0.0F ? ".L" : ".R";
-        const int arm = test::add_node(model, "UpperArm" + end, abdomen, {0.2F * side, 0.2F, 0});
-        test::add_node(
-            model, "Hand" + end, test::add_node(model, "LowerArm" + end, arm, {0.3F * side, 0, 0}));
-        const int leg = test::add_node(model, "UpperLeg" + end, body, {0.1F * side, 0, 0});
-        test::add_node(
-            model, "Foot" + end, test::add_node(model, "LowerLeg" + end, leg, {0, -0.5F, 0}));
+        const int arm =
+            raks::test::add_node(model, "UpperArm" + end, abdomen, {0.2F * side, 0.2F, 0});
+        raks::test::add_node(
+            model,
+            "Hand" + end,
+            raks::test::add_node(model, "LowerArm" + end, arm, {0.3F * side, 0, 0}));
+        const int leg = raks::test::add_node(model, "UpperLeg" + end, body, {0.1F * side, 0, 0});
+        raks::test::add_node(
+            model, "Foot" + end, raks::test::add_node(model, "LowerLeg" + end, leg, {0, -0.5F, 0}));
     }
     const HumanoidMap map = map_by_names(model);
     EXPECT_EQ(map.nodes[motion::index_of(Bone::hips)], body);

@@ -24,15 +24,15 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 /// A picture of 40 x 24 pixels, red on the left and half-clear blue on the right, as `convert`
 /// writes it.
 std::string picture(const std::string& name, const std::vector<std::string>& options = {}) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const std::string file = (folder / name).string();
     std::vector<std::string> command = {
         "convert", "-size", "20x24", "xc:#ff0000ff", "xc:#0000ff80", "+append"};
     command.insert(command.end(), options.begin(), options.end());
     command.push_back(file);
-    test::ProcessPlan plan;
+    raks::test::ProcessPlan plan;
     plan.command = command;
-    EXPECT_EQ(test::run_process(plan).exit_code, 0) << name;
+    EXPECT_EQ(raks::test::run_process(plan).exit_code, 0) << name;
     return read_file(file).value_or("");
 }
 
@@ -117,7 +117,8 @@ TEST_F(ModelImages, survive_cuts_and_damage) {
             (void)decode_image(unpacker, bytes_of(good.substr(0, size)));
         }
         for (std::uint64_t seed = 0; seed < 500; ++seed) {
-            const std::string bad = test::mangled(good, {.seed = seed, .bytes = 1 + seed % 4});
+            const std::string bad =
+                raks::test::mangled(good, {.seed = seed, .bytes = 1 + seed % 4});
             const auto image = decode_image(unpacker, bytes_of(bad));
             ASSERT_TRUE(image || !image.error().message.empty());
         }

@@ -38,7 +38,7 @@ TEST(ModelMotion, a_vrma_gives_back_the_places_and_names_of_its_bones) {
         poses[i].rotation(Bone::left_upper_arm) = glm::angleAxis(-angle, glm::vec3(0, 0, 1));
         poses[i].rotation(Bone::right_lower_leg) = glm::angleAxis(angle, glm::vec3(1, 0, 0));
     }
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const motion::Skeleton& body = motion::mannequin_skeleton();
     ASSERT_TRUE(motion::write_vrma(folder / "x.vrma", body, poses, 25.0));
     const auto clip = read_model_motion(folder / "x.vrma", "", std::nullopt);

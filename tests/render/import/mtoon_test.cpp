@@ -10,10 +10,10 @@ namespace {
 
 using namespace raks;
 using namespace raks::render;
-using test::ReadFigure;
+using raks::test::ReadFigure;
 
 ReadFigure read_toon1(const std::string& toon) {
-    return test::read_vrm1_text(
+    return raks::test::read_vrm1_text(
         "", "", R"(,"materials":[{"extensions":{"VRMC_materials_mtoon":)" + toon + "}}]");
 }
 
@@ -83,7 +83,7 @@ TEST(MToon1, of_a_later_version_is_left_to_gltf) {
 // ---- VRM 0.x
 
 ReadFigure read_materials(const std::string& materials) {
-    return test::read_vrm0_text(R"(,"materialProperties":[)" + materials + "]");
+    return raks::test::read_vrm0_text(R"(,"materialProperties":[)" + materials + "]");
 }
 
 std::string toon0(const std::string& floats,

@@ -24,15 +24,15 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 }
 
 void run(const std::vector<std::string>& command) {
-    test::ProcessPlan plan;
+    raks::test::ProcessPlan plan;
     plan.command = command;
-    EXPECT_EQ(test::run_process(plan).exit_code, 0) << command.back();
+    EXPECT_EQ(raks::test::run_process(plan).exit_code, 0) << command.back();
 }
 
 /// A picture of 37 x 5 pixels, red, then green above blue. `convert` writes BMP, and PNG for
 /// ffmpeg, which writes TGA (that of `convert` 6 stands upside down).
 std::string plain_picture(const std::string& name, const std::vector<std::string>& options) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const bool is_tga = name == "a.tga";
     const std::string file = (folder / name).string();
     const std::string first = is_tga ? (folder / "a.png").string() : file;
@@ -195,7 +195,7 @@ TEST(PlainPictures, survive_cuts_and_damage) {
         }
         for (std::uint64_t seed = 0; seed < 300; ++seed) {
             const std::string bad =
-                test::mangled(good, {.seed = seed, .bytes = 1 + seed % 4, .reach = 80});
+                raks::test::mangled(good, {.seed = seed, .bytes = 1 + seed % 4, .reach = 80});
             const auto image = read_plain_picture(bytes_of(bad));
             ASSERT_TRUE(image || image.error().message.find('\n') == std::string::npos);
         }

@@ -24,7 +24,7 @@ using namespace raks;
 using namespace raks::render;
 using motion::Bone;
 
-fs::path figures() { return test::shared_data() / "avatars"; }
+fs::path figures() { return raks::test::shared_data() / "avatars"; }
 
 class SharedFigures : public testing::Test {
  protected:
@@ -55,7 +55,7 @@ std::string name_in_vrm1(std::string bone, bool is_vrm0) {
 
 std::map<std::string, std::map<std::string, int>> stated_maps() {
     std::map<std::string, std::map<std::string, int>> maps;
-    for (const test::TableRow& row : test::read_table(figures() / "humanoid.tsv")) {
+    for (const raks::test::TableRow& row : raks::test::read_table(figures() / "humanoid.tsv")) {
         const std::string file = row.at("file");
         maps[file][name_in_vrm1(row.at("vrm_bone"), file.rfind("vrm0/", 0) == 0)] =
             std::stoi(row.at("node_index"));
@@ -222,7 +222,8 @@ TEST_F(SharedFigures, that_are_no_humanoids_are_refused_with_what_is_missing) {
 
 TEST_F(SharedFigures, of_vrm_that_are_bad_say_what_was_wrong) {
     int files = 0;
-    for (const test::TableRow& row : test::read_table(figures() / "bad" / "INDEX.tsv")) {
+    for (const raks::test::TableRow& row :
+         raks::test::read_table(figures() / "bad" / "INDEX.tsv")) {
         if (row.at("format").rfind("VRM", 0) != 0) {
             continue;
         }

@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using namespace raks;
 using namespace raks::render;
-using test::TableRow;
+using raks::test::TableRow;
 
-fs::path avatars() { return test::shared_data() / "avatars"; }
+fs::path avatars() { return raks::test::shared_data() / "avatars"; }
 
 /// Models that lie in the repository.
 const fs::path kOwnModels = fs::path(RAKS_SOURCE_DIR) / "tests" / "data" / "avatars";
@@ -115,7 +115,7 @@ void expect_row(const TableRow& row, const ModelSurvey& found) {
 /// Every row of the table against the model that it names. Returns how many there were.
 int expect_measures(const fs::path& table, const fs::path& models) {
     int found_models = 0;
-    for (const TableRow& row : test::read_table(table)) {
+    for (const TableRow& row : raks::test::read_table(table)) {
         const fs::path file = models / row.at("file");
         if (!is_read_here(file)) {
             continue;
@@ -258,7 +258,7 @@ TEST(OwnModels, of_3ds_have_the_parts_of_the_glb_that_they_were_made_of) {
 
 TEST_F(SharedModels, that_are_bad_are_refused_or_mended_as_their_index_says) {
     int files = 0;
-    for (const TableRow& row : test::read_table(avatars() / "bad" / "INDEX.tsv")) {
+    for (const TableRow& row : raks::test::read_table(avatars() / "bad" / "INDEX.tsv")) {
         const fs::path file = avatars() / "bad" / row.at("file");
         if (is_read_here(file)) {
             SCOPED_TRACE(row.at("file") + ": " + row.at("what is wrong"));
@@ -270,12 +270,12 @@ TEST_F(SharedModels, that_are_bad_are_refused_or_mended_as_their_index_says) {
 }
 
 TEST_F(SharedModels, that_khronos_validator_finds_faults_in_are_not_read_silently) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const fs::path archive = avatars() / "bad" / "khronos-validator-base.tar.xz";
-    test::ProcessPlan unpack;
+    raks::test::ProcessPlan unpack;
     unpack.command = {"tar", "xf", archive.string(), "-C", folder.path().string()};
-    ASSERT_EQ(test::run_process(unpack).exit_code, 0);
-    for (const TableRow& row : test::read_table(avatars() / "bad" / "khronos.tsv")) {
+    ASSERT_EQ(raks::test::run_process(unpack).exit_code, 0);
+    for (const TableRow& row : raks::test::read_table(avatars() / "bad" / "khronos.tsv")) {
         const fs::path file = folder.path() / row.at("file");
         if (!is_read_here(file)) {
             continue;

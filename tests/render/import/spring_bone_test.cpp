@@ -9,10 +9,11 @@ namespace {
 
 using namespace raks;
 using namespace raks::render;
-using test::ReadFigure;
+using raks::test::ReadFigure;
 
 ReadFigure read_springs(const std::string& text) {
-    return test::read_vrm1_text("", R"(,"VRMC_springBone":{"specVersion":"1.0",)" + text + "}");
+    return raks::test::read_vrm1_text("",
+                                      R"(,"VRMC_springBone":{"specVersion":"1.0",)" + text + "}");
 }
 
 /// A spring of these joints, with more fields in front.
@@ -139,10 +140,11 @@ TEST(SpringBone1, a_bad_collider_costs_itself_and_a_bad_group_its_spring) {
 // ---- VRM 0.x
 
 TEST(SpringBone0, a_subtree_becomes_chains_with_virtual_tails) {
-    Model model = test::small_figure();
-    const int side = test::add_node(model, "side", 15);  // a second branch of hair1
-    const ReadFigure read = test::read_document(
-        R"({"extensions":{"VRM":{"humanoid":{"humanBones":[)" + test::bones0(test::small_figure()) +
+    Model model = raks::test::small_figure();
+    const int side = raks::test::add_node(model, "side", 15);  // a second branch of hair1
+    const ReadFigure read = raks::test::read_document(
+        R"({"extensions":{"VRM":{"humanoid":{"humanBones":[)" +
+            raks::test::bones0(raks::test::small_figure()) +
             R"(]},"secondaryAnimation":{"boneGroups":[{"comment":"hair","bones":[15],
             "stiffiness":2,"dragForce":0.3,"hitRadius":0.05,"center":-1,
             "gravityDir":{"x":1,"y":-1,"z":0},"colliderGroups":[0]}],
@@ -166,7 +168,7 @@ TEST(SpringBone0, a_subtree_becomes_chains_with_virtual_tails) {
 }
 
 TEST(SpringBone0, a_group_of_nodes_that_are_not_there_is_left_out) {
-    const ReadFigure read = test::read_vrm0_text(
+    const ReadFigure read = raks::test::read_vrm0_text(
         R"(,"secondaryAnimation":{"boneGroups":[{"bones":[900]},{"bones":[15],
         "colliderGroups":[7]},{"bones":[16]}]})");
     ASSERT_EQ(read.error, "");
@@ -177,7 +179,7 @@ TEST(SpringBone0, a_group_of_nodes_that_are_not_there_is_left_out) {
 }
 
 TEST(SpringBone0, a_chain_ends_at_what_swings_already) {
-    const ReadFigure read = test::read_vrm0_text(
+    const ReadFigure read = raks::test::read_vrm0_text(
         R"(,"secondaryAnimation":{"boneGroups":[{"bones":[17]},{"bones":[15]}]})");
     ASSERT_EQ(read.model.character.springs.size(), 2U);
     const SpringChain& second = read.model.character.springs[1];
@@ -198,7 +200,7 @@ ReadFigure read_constraints(std::initializer_list<std::string> constraints) {
                                "constraint":)" +
                                    one + "}}}";
     }
-    return test::read_vrm1_text("", "", R"(,"nodes":[)" + nodes + "]");
+    return raks::test::read_vrm1_text("", "", R"(,"nodes":[)" + nodes + "]");
 }
 
 TEST(NodeConstraint, rotation_roll_and_aim_are_read) {

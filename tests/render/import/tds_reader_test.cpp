@@ -395,7 +395,7 @@ TEST(TdsMaterial, has_colour_transparency_and_sides) {
 }
 
 TEST(TdsMaterial, finds_its_picture_beside_the_file) {
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     const std::string png = []() {
         std::ifstream file(
             std::string(RAKS_SOURCE_DIR) + "/tests/data/avatars/Textures/colormap.png",
@@ -475,7 +475,7 @@ TEST(TdsFaults, of_two_thousand_damaged_files_are_found_or_mended) {
     ASSERT_TRUE(tds::read(good));
     int refused = 0;
     for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
-        const auto model = tds::read(test::mangled(
+        const auto model = tds::read(raks::test::mangled(
             good, {.seed = seed, .bytes = 1 + seed % 8, .reach = seed % 3 == 0 ? 400U : ~0U}));
         if (!model) {
             ++refused;

@@ -11,9 +11,9 @@ namespace {
 using namespace raks;
 using namespace raks::render;
 using motion::Bone;
-using test::read_vrm0_text;
-using test::read_vrm1_text;
-using test::ReadFigure;
+using raks::test::read_vrm0_text;
+using raks::test::read_vrm1_text;
+using raks::test::ReadFigure;
 
 int node_of_bone(const ReadFigure& read, Bone bone) {
     return read.model.character.humanoid.nodes[motion::index_of(bone)];
@@ -30,10 +30,10 @@ const Expression* expression(const ReadFigure& read, const std::string& name) {
 
 /// small_figure as VRM 1.0 with a change to the text of its bones.
 ReadFigure read_with_bones(const std::string& from, const std::string& to) {
-    Model model = test::small_figure();
-    std::string bones = test::bones1(model);
+    Model model = raks::test::small_figure();
+    std::string bones = raks::test::bones1(model);
     bones.replace(bones.find(from), from.size(), to);
-    return test::read_document(
+    return raks::test::read_document(
         R"({"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":{"humanBones":{)" + bones +
             "}}}}}",
         std::move(model));
@@ -120,7 +120,7 @@ TEST(Vrm, extensions_of_another_kind_are_refused) {
             Row{R"({"extensions":{"VRMC_vrm_animation":{"specVersion":"1.0"}}})",
                 "VRMC_vrm_animation has no hips"},
         }) {
-        EXPECT_EQ(test::read_document(row.text, test::small_figure()).error, row.error);
+        EXPECT_EQ(raks::test::read_document(row.text, raks::test::small_figure()).error, row.error);
     }
 }
 
@@ -132,7 +132,7 @@ TEST(Vrm, of_both_versions_the_newer_is_read) {
 }
 
 TEST(Vrm, a_model_without_it_has_no_character) {
-    const ReadFigure read = test::read_document("{}", test::small_figure());
+    const ReadFigure read = raks::test::read_document("{}", raks::test::small_figure());
     EXPECT_EQ(read.error, "");
     EXPECT_EQ(read.model.character.vrm, VrmVersion::none);
     EXPECT_EQ(node_of_bone(read, Bone::hips), -1);
@@ -217,12 +217,13 @@ TEST(Vrm1, texts_of_makers_fit_one_line) {
 }
 
 TEST(Vrm0, faces_the_other_way_and_renames_thumbs) {
-    Model model = test::small_figure();
-    const int thumb = test::add_node(model, "thumb", 8);
-    const std::string bones =
-        test::bones0(model).substr(0, test::bones0(model).rfind(",{\"bone\":\"thumb\"")) +
-        R"(,{"bone":"leftThumbProximal","node":)" + std::to_string(thumb) + "}";
-    const ReadFigure read = test::read_document(
+    Model model = raks::test::small_figure();
+    const int thumb = raks::test::add_node(model, "thumb", 8);
+    const std::string bones = raks::test::bones0(model).substr(
+                                  0, raks::test::bones0(model).rfind(",{\"bone\":\"thumb\"")) +
+                              R"(,{"bone":"leftThumbProximal","node":)" + std::to_string(thumb) +
+                              "}";
+    const ReadFigure read = raks::test::read_document(
         R"({"extensions":{"VRM":{"humanoid":{"humanBones":[)" + bones + "]}}}}", model);
     ASSERT_EQ(read.error, "");
     EXPECT_TRUE(read.model.character.faces_minus_z);
@@ -294,10 +295,10 @@ TEST(Vrm0, credit_is_due_unless_the_licence_says_otherwise) {
 }
 
 TEST(VrmAnimation, names_bones_and_the_nodes_of_a_face) {
-    const Model model = test::small_figure();
-    const ReadFigure read = test::read_document(
+    const Model model = raks::test::small_figure();
+    const ReadFigure read = raks::test::read_document(
         R"({"extensions":{"VRMC_vrm_animation":{"specVersion":"1.0","humanoid":{"humanBones":{)" +
-            test::bones1(model) +
+            raks::test::bones1(model) +
             R"(}},"expressions":{"preset":{"aa":{"node":15},"oh":{"node":99}}},
             "lookAt":{"node":16}}}})",
         model);
@@ -311,10 +312,10 @@ TEST(VrmAnimation, names_bones_and_the_nodes_of_a_face) {
 
 /// A text with a bit of everything.
 std::string rich_text(bool is_vrm1) {
-    const Model model = test::small_figure();
+    const Model model = raks::test::small_figure();
     return is_vrm1
                ? R"({"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":{"humanBones":{)" +
-                     test::bones1(model) +
+                     raks::test::bones1(model) +
                      R"(}},"meta":{"name":"M","authors":["A"]},"expressions":{"preset":{"aa":
                      {"morphTargetBinds":[{"node":2,"index":1,"weight":1}]}}},"lookAt":{"type":
                      "bone"}},"VRMC_springBone":{"colliders":[{"node":2,"shape":{"sphere":{"radius":
@@ -323,7 +324,7 @@ std::string rich_text(bool is_vrm1) {
                      {"VRMC_node_constraint":{"constraint":{"roll":{"source":3,"rollAxis":"X"}}}}}],
                      "materials":[{"extensions":{"VRMC_materials_mtoon":{"specVersion":"1.0",
                      "shadeColorFactor":[1,0,0]}}}]})"
-               : R"({"extensions":{"VRM":{"humanoid":{"humanBones":[)" + test::bones0(model) +
+               : R"({"extensions":{"VRM":{"humanoid":{"humanBones":[)" + raks::test::bones0(model) +
                      R"(]},"meta":{"title":"M"},"blendShapeMaster":{"blendShapeGroups":[{"name":"A",
                      "presetName":"a","binds":[{"mesh":0,"index":1,"weight":9}]}]},
                      "secondaryAnimation":{"boneGroups":[{"bones":[15],"colliderGroups":[0],
@@ -335,14 +336,17 @@ std::string rich_text(bool is_vrm1) {
 TEST(VrmMangled, any_damaged_text_is_read_or_refused) {
     for (const bool is_vrm1 : {true, false}) {
         const std::string text = rich_text(is_vrm1);
-        ASSERT_EQ(test::read_document(text, test::small_figure()).error, "");
+        ASSERT_EQ(raks::test::read_document(text, raks::test::small_figure()).error, "");
         for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
-            const ReadFigure read = test::read_document(
-                test::mangled(text, {.seed = seed, .bytes = 1 + seed % 3}), test::small_figure());
+            const ReadFigure read = raks::test::read_document(
+                raks::test::mangled(text, {.seed = seed, .bytes = 1 + seed % 3}),
+                raks::test::small_figure());
             EXPECT_EQ(read.error.find('\n'), std::string::npos);
         }
         for (std::size_t cut = 0; cut < text.size(); ++cut) {
-            EXPECT_NE(test::read_document(text.substr(0, cut), test::small_figure()).error, "");
+            EXPECT_NE(
+                raks::test::read_document(text.substr(0, cut), raks::test::small_figure()).error,
+                "");
         }
     }
 }

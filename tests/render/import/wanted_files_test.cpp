@@ -47,7 +47,7 @@ class WantedFilesTest : public testing::Test {
                      : bytes.error().message;
     }
 
-    test::TemporaryFolder folder_;
+    raks::test::TemporaryFolder folder_;
 };
 
 TEST_F(WantedFilesTest, that_the_model_names_are_handed_out) {
@@ -114,7 +114,7 @@ TEST(SpellsName, however_a_program_spells_it) {
     }
     // UTF-16, whose mark says so.
     const std::string wide("\xFF\xFEs\0k\0i\0n\0.\0p\0n\0g\0", 18);
-    const test::TemporaryFolder folder;
+    const raks::test::TemporaryFolder folder;
     std::ofstream(folder / "skin.png") << "inside";
     const SideFiles side(folder.path());
     EXPECT_TRUE(WantedFiles(std::as_bytes(std::span(wide)), side).read("skin.png", 100));

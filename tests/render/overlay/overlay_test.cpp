@@ -190,6 +190,7 @@ TEST_F(OverlayTest, every_field_is_seen) {
     differs("source", [](auto& s) { s.source = "other.flac"; });
     static const std::vector<OverlayTarget> kTold{{"--osc studio:9000   41 sent", false}};
     static const std::vector<OverlayTarget> kLost{{"--osc studio:9000   41 sent", true}};
+    differs("song of a player", [](auto& s) { s.song = "Quimbara (Celia Cruz)"; });
     differs("target", [](auto& s) { s.targets = kTold; });
     differs("target in trouble", [](auto& s) { s.targets = kLost; });
     differs("level", [](auto& s) { s.level_dbfs = -30.0F; });

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "base/pending_file.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/training/discovery/stepping_dance.hpp"
@@ -53,7 +56,8 @@ TEST_F(ClipDiscovery, a_clip_taken_once_is_learnt_as_one_phrase) {
     const auto none = discover_clips(learn, Discovery::repeats, {});
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().message,
-              "1.bvh: nothing in it repeats; --once learns it as a single phrase");
+              "1.bvh: nothing in it repeats; --once learns it as a single phrase, raks train take "
+              "beat by beat");
     DiscoveryOptions options;
     options.beats = 8;
     const auto found = discover_clips(learn, Discovery::whole_phrase, options);
@@ -62,6 +66,55 @@ TEST_F(ClipDiscovery, a_clip_taken_once_is_learnt_as_one_phrase) {
     const auto report = train_figure(learn);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->model.repeats, 1);
+}
+
+TEST_F(ClipDiscovery, a_phrase_that_cannot_be_read_is_left_out_beside_others) {
+    test::SteppingDance dance;
+    dance.repeats = 2;
+    write("1.bvh", test::stepping_clip(dance));
+    ASSERT_TRUE(write_file(folder_ / "2.bvh", "nonsense"));
+    FigureTrainingPlan learn = plan();
+    const auto found = discover_clips(learn, Discovery::whole_phrase, {});
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->clips.size(), 1U);
+    EXPECT_EQ(found->skipped.size(), 1U);
+    learn.clips = {folder_ / "2.bvh"};
+    EXPECT_FALSE(discover_clips(learn, Discovery::whole_phrase, {}));
+}
+
+TEST(TakeNames, are_those_of_files_and_of_clips_in_them) {
+    EXPECT_EQ(take_name("a/hip hop.fbx"), "hip hop");
+    EXPECT_EQ(take_name("a/x.glb#Dance 2"), "x#Dance 2");
+    EXPECT_EQ(take_name("clips/"), "clips");
+}
+
+TEST_F(ClipDiscovery, a_dance_in_place_leads_nowhere) {
+    TrainingClip clip = test::stepping_clip({});
+    const auto frames = static_cast<float>(clip.poses.size());
+    for (std::size_t i = 0; i < clip.poses.size(); ++i) {
+        clip.poses[i].hips_position.x += 5.0F * static_cast<float>(i) / frames;
+    }
+    write("1.bvh", clip);
+    std::vector<std::string> warnings;
+    FigureTrainingPlan learn = plan();
+    learn.clips = {folder_ / "1.bvh"};
+    const auto as_it_is = load_clip(learn.clips[0], units_of(learn), warnings);
+    learn.travel = ClipTravel::none;
+    const auto in_place = load_clip(learn.clips[0], units_of(learn), warnings);
+    ASSERT_TRUE(as_it_is && in_place);
+    const auto way = [](const TrainingClip& of, std::size_t frame) {
+        return of.poses[frame].hips_position.x - of.poses[0].hips_position.x;
+    };
+    EXPECT_GT(way(*as_it_is, clip.poses.size() - 1), 4.5F);
+    for (std::size_t i = 0; i < clip.poses.size(); i += 10) {
+        EXPECT_LT(std::abs(way(*in_place, i)), 0.1F) << i;
+        // The feet go with the hips, and the height stays.
+        const auto left_toe = [i](const TrainingClip& of) {
+            return of.feet[i][0].toe_tip.x - static_cast<double>(of.poses[i].hips_position.x);
+        };
+        EXPECT_NEAR(left_toe(*in_place), left_toe(*as_it_is), 1e-4);
+        EXPECT_EQ(in_place->poses[i].hips_position.y, as_it_is->poses[i].hips_position.y);
+    }
 }
 
 FigureModel learnt_at(double rate) {

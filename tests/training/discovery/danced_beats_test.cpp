@@ -23,7 +23,7 @@ TEST(DancedBeats, are_those_of_the_clip) {
     EXPECT_NEAR(beats->interval(), 0.5, 1e-12);
     EXPECT_NEAR(beats->beats_after_nearest(0.25), 0.0, 1e-12);
     EXPECT_NEAR(beats->beats_after_nearest(0.35), 0.2, 1e-12);
-    EXPECT_NEAR(beats->bar_line_after(0.3), 0.75, 1e-12);
+    EXPECT_EQ(beats->between(0.3, 1.3), (std::vector<double>{0.75, 1.25}));
     const auto from = beats->beats_from(0.3, 8);
     ASSERT_TRUE(from);
     EXPECT_NEAR(from->first, 0.25, 1e-12);

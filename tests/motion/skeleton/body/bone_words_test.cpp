@@ -43,6 +43,9 @@ struct Said {
 TEST(BoneWords, of_four_languages_say_part_and_side) {
     const Said table[] = {
         {"LeftForeArm", BodyPart::lower_arm, Side::left},
+        {"L_clavicle_bind_JNT", BodyPart::collar_bone, Side::left},
+        {"L_armUpper0001_bind_JNT", BodyPart::upper_arm, Side::left},
+        {"R_legLower0001_bind_JNT", BodyPart::lower_leg, Side::right},
         {"lfemur", BodyPart::upper_leg, Side::left},
         {"rhumerus", BodyPart::upper_arm, Side::right},
         {"righthand", BodyPart::hand, Side::right},

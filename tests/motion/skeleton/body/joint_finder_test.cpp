@@ -74,6 +74,28 @@ TEST(JointFinder, knows_them_with_fingers_and_helpers_between) {
     }
 }
 
+TEST(JointFinder, takes_the_body_of_a_model_as_its_reader_knows_it) {
+    DancingClip dancing;
+    KnownBody known;
+    for (const auto& [bone, joint] : dancing.joints) {
+        if (bone != Bone::left_hand && bone != Bone::right_hand) {
+            known.mapping.joints[index_of(bone)] = joint;
+            known.reasons[index_of(bone)] = "by its name";
+            known.confidence[index_of(bone)] = 0.5;
+        }
+    }
+    // Names that say otherwise are not asked.
+    std::swap(dancing.clip.joints[dancing.joints[Bone::left_foot]].name,
+              dancing.clip.joints[dancing.joints[Bone::right_hand]].name);
+    dancing.clip.known = known;
+    const auto search = search_joints(dancing.clip);
+    ASSERT_TRUE(search) << search.error().message;
+    EXPECT_FALSE(search->refusal) << search->refusal->message;
+    EXPECT_EQ(search->found.mapping.joints, known.mapping.joints);
+    EXPECT_EQ(search->found.confidence, known.confidence);
+    EXPECT_TRUE(search->found.notes.empty());
+}
+
 TEST(JointFinder, needs_no_names) {
     for (const body_test::Extras& extras : {body_test::Extras{},
                                             body_test::Extras{.fingers = true},

@@ -42,6 +42,8 @@ TEST(MotionFormat, content_wins_over_the_ending) {
         {"{\"nodes\": [], \"asset\": {}}", "x.json", MotionFormat::model},
         {c3d, "x", MotionFormat::c3d},
         {"time,a_x,a_y,a_z\n", "x.CSV", MotionFormat::csv},
+        {"Vocaloid Motion Data 0002", "x.vpd", MotionFormat::vmd},
+        {"Vocaloid Pose Data file\r\n", "x.vmd", MotionFormat::vpd},
     };
     for (const auto& row : rows) {
         EXPECT_EQ(motion_format(row.start, row.name), row.format) << row.start;
