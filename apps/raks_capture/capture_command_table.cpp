@@ -143,6 +143,32 @@ void add_label(CommandTable& table) {
                     "table of labels (TSV), checked and taken over; without: a window");
 }
 
+void add_track_by_angles(CLI::App& app, TrackArguments& arguments) {
+    app.add_option("--method", arguments.method, "follow each marker by itself, or the whole body")
+        ->check(one_of({"positions", "angles"}));
+    app.add_option("--body", arguments.body, "angles: which joints move")
+        ->check(one_of({"dance", "paper"}));
+    app.add_option("--likelihood", arguments.likelihood, "angles: what a posture is judged by")
+        ->check(one_of({"reprojection", "epipolar"}));
+    app.add_option("--filter", arguments.filter, "angles: limb by limb, or all joints at once")
+        ->check(one_of({"partitioned", "full"}));
+    app.add_option("--particles", arguments.particles, "angles: postures that are tried at once")
+        ->check(in_range(8, 100'000));
+    app.add_option("--layers", arguments.layers, "angles: how often they are drawn together")
+        ->check(in_range(3, 100));
+    app.add_flag("--no-polish",
+                 arguments.is_unpolished,
+                 "angles: without the least-squares fit that ends a frame");
+    app.add_option(
+           "--body-error",
+           arguments.body_error,
+           "angles: make each length of the body wrong by such a share, to see what it does")
+        ->check(in_range(0.0, 0.5));
+    app.add_option("--seed", arguments.seed, "angles: same seed, same dance");
+    app.add_option("--threads", arguments.threads, "angles: cores to use (all)")
+        ->check(in_range(1, 256));
+}
+
 void add_track(CommandTable& table) {
     const auto [app, arguments] = table.add<TrackArguments>(
         table.app(), "track", "follow the markers through all films", &track);
@@ -162,6 +188,7 @@ void add_track(CommandTable& table) {
                   arguments->is_as_named,
                   "take each film as its camera's, even where it fits another one");
     app->add_option("--truth", arguments->truth, "folder with true tracks, to be compared with");
+    add_track_by_angles(*app, *arguments);
 }
 
 void add_correct(CommandTable& table) {

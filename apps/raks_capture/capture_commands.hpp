@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -108,6 +109,16 @@ struct TrackArguments {
     double acceleration = 20.0;
     double smoothing = 12.0;
     bool is_as_named = false;  ///< the order of the films is not checked
+    std::string method;        ///< empty: capture.toml's
+    std::string body;          ///< of the method of angles; empty: capture.toml's
+    std::string likelihood = "reprojection";
+    std::string filter = "partitioned";
+    int particles = 300;
+    int layers = 10;
+    bool is_unpolished = false;
+    double body_error = 0.0;  ///< share of each length
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: as many as there are cores
 };
 /// Follows the markers through all films. Errors: no rig, no labels; files.
 [[nodiscard]] ExitCode track(const TrackArguments& arguments);

@@ -8,6 +8,7 @@
 
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 
 namespace raks::apps {
@@ -95,6 +96,29 @@ Expected<std::vector<capture::Edit>> load_edits(const CapturePlan& plan) {
 
 Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan) {
     return read_if_made(plan.file("moved.tsv"), &capture::read_moves);
+}
+
+Expected<std::vector<capture::BodyState>> load_angles(const CapturePlan& plan,
+                                                      capture::BodyKind body) {
+    using capture::BodyKind;
+    const std::filesystem::path file = plan.file("angles.csv");
+    if (!is_there(file)) {
+        return std::vector<capture::BodyState>{};
+    }
+    const Expected<std::string> text = read_text_file(file, kLargestTable);
+    if (!text) {
+        return fail(text.error());
+    }
+    auto angles = capture::read_angles(*text, file.string(), capture::BodyModel(body));
+    if (angles) {
+        return std::move(angles->states);
+    }
+    const BodyKind other = body == BodyKind::paper ? BodyKind::dance : BodyKind::paper;
+    if (!capture::read_angles(*text, file.string(), capture::BodyModel(other))) {
+        return fail(std::move(angles.error()));
+    }
+    say(fmt::format("{}: is of the other body; postures are found anew", file.string()));
+    return std::vector<capture::BodyState>{};
 }
 
 Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder) {

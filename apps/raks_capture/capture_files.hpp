@@ -9,6 +9,7 @@
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/solving/body_model.hpp"
 #include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 
@@ -34,6 +35,11 @@ namespace raks::apps {
 
 /// moved.tsv; none there: none was moved. Errors: those of the file.
 [[nodiscard]] Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan);
+
+/// The postures of angles.csv, by frame; none there, or of another body, which is said: none.
+/// Errors: those of the file.
+[[nodiscard]] Expected<std::vector<capture::BodyState>> load_angles(const CapturePlan& plan,
+                                                                    capture::BodyKind body);
 
 /// tracks.csv and flags.tsv of a folder. Errors: none there (track first), those of the files.
 [[nodiscard]] Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder);

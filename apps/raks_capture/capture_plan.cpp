@@ -18,10 +18,11 @@ constexpr std::string_view kPlanFormat = "raks-capture";
 constexpr std::size_t kMostCameras = 100;
 
 void read_head(const toml::table& root, TomlComplaints& complaints) {
-    constexpr std::array<std::string_view, 10> kKeys = {"format",
+    constexpr std::array<std::string_view, 11> kKeys = {"format",
                                                         "version",
                                                         "height",
                                                         "body",
+                                                        "method",
                                                         "music",
                                                         "markers",
                                                         "frames_per_second",
@@ -104,6 +105,10 @@ void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& compl
     if (const toml::node* const body = root.get("body")) {
         plan.is_paper_body = complaints.word(*body, "body", kBodies) == 1;
     }
+    constexpr std::array<std::string_view, 2> kMethods = {"positions", "angles"};
+    if (const toml::node* const method = root.get("method")) {
+        plan.is_by_angles = complaints.word(*method, "method", kMethods) == 1;
+    }
     plan.music = complaints.text(root, "music");
     plan.markers = complaints.text(root, "markers");
     complaints.read(root, "frames_per_second", {1.0, 1000.0}, plan.frames_per_second);
@@ -169,6 +174,7 @@ std::string capture_plan_text(const CapturePlan& plan) {
         text += fmt::format("height = {}\n", plan.height);
     }
     text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
+    text += plan.is_by_angles ? "method = \"angles\"\n" : "";
     for (const auto& [key, path] :
          {std::pair("music", &plan.music), std::pair("markers", &plan.markers)}) {
         if (!path->empty()) {

@@ -113,6 +113,12 @@ class CorrectContent : public render::PaneContent {
 
  private:
     void fulfil(const CorrectAction& action) {
+        const bool is_of_positions =
+            std::holds_alternative<BeginSwap>(action) || std::holds_alternative<FillMarker>(action);
+        if (given_.angles && is_of_positions) {
+            scene_.message = "Swap and fill are for the method of positions; drag or hide here";
+            return;
+        }
         apply(action, session_);
         if (!std::holds_alternative<HoldMarker>(action)) {
             scene_.message.clear();
@@ -148,13 +154,13 @@ class CorrectContent : public render::PaneContent {
             return;
         }
         scene_.is_tracking = false;
-        auto [stages, edits] = tracking_.get();
+        auto [followed, edits] = tracking_.get();
         tracked_ = std::move(edits);
-        if (!stages) {
-            scene_.message = stages.error().message;
+        if (!followed) {
+            scene_.message = followed.error().message;
             return;
         }
-        session_.tracks = std::move(stages->smoothed);
+        session_.tracks = std::move(followed->stages.smoothed);
         scene_.message =
             fmt::format("Tracked again: {} stretches to look at", session_.tracks.flags.size());
     }
@@ -246,15 +252,15 @@ class CorrectContent : public render::PaneContent {
     bool is_warned_ = false;  // that edits are not saved
     bool is_finished_ = false;
     // Last: it waits for its end, which refers to the rest.
-    std::future<std::pair<Expected<capture::TrackerStages>, Edits>> tracking_;
+    std::future<std::pair<Expected<FollowedMarkers>, Edits>> tracking_;
 };
 
 }  // namespace
 
 Expected<void> correct_in_window(const CapturePlan& plan, const TrackingGiven& given) {
-    auto stages = track_with(given, given.edits);
-    if (!stages) {
-        return fail(std::move(stages.error()).in(plan.folder.string()));
+    auto followed = track_with(given, given.edits);
+    if (!followed) {
+        return fail(std::move(followed.error()).in(plan.folder.string()));
     }
     auto window = render::PaneWindow::create(
         {.title = "Raks: correct " + plan.folder.string(),
@@ -263,7 +269,7 @@ Expected<void> correct_in_window(const CapturePlan& plan, const TrackingGiven& g
     if (!window) {
         return fail(std::move(window.error()));
     }
-    CorrectContent content(plan, given, std::move(stages->smoothed));
+    CorrectContent content(plan, given, std::move(followed->stages.smoothed));
     window->run(content, [] { return stop_signal().has_value(); });
     return {};
 }

@@ -82,6 +82,11 @@ ExitCode solve_capture(const SolveArguments& arguments) {
         return fail(tracks.error());
     }
     capture::SolveOptions options = options_of(arguments, *plan);
+    auto start = load_angles(*plan, options.body);
+    if (!start) {
+        return fail(std::move(start.error()));
+    }
+    options.start = std::move(*start);
     const auto dance = [&] {
         ProgressLine progress("body");
         options.progress = [&progress](double share) {

@@ -1,11 +1,16 @@
 // `raks capture track`: follows the markers through all films.
 #include <fmt/format.h>
 
+#include <ctime>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
+#include <vector>
 
+#include "apps/raks_capture/angle_figures.hpp"
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
@@ -20,13 +25,26 @@
 namespace raks::apps {
 namespace {
 
-Expected<void> write_tracks(const CapturePlan& plan, const capture::TrackerStages& stages) {
-    const capture::Tracks& tracks = stages.smoothed;
-    const std::pair<const char*, std::string> files[] = {
-        {"tracks.csv", capture::tracks_text(tracks)},
+Expected<void> write_tracks(const CapturePlan& plan,
+                            const TrackingGiven& given,
+                            const FollowedMarkers& followed) {
+    const capture::Tracks& tracks = followed.stages.smoothed;
+    std::vector<std::pair<const char*, std::string>> files = {
         {"flags.tsv", capture::flags_text(tracks)},
-        {"moved.tsv", capture::moves_text(stages.moves)},
+        {"moved.tsv", capture::moves_text(followed.stages.moves)},
         {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
+    if (followed.angles) {
+        files.emplace_back(
+            "angles.csv",
+            capture::angles_text(*followed.angles, capture::BodyModel(given.angles->body)));
+    }
+    if (!followed.angles) {
+        // Those of an earlier method are of other tracks.
+        std::error_code problem;
+        std::filesystem::remove(plan.file("angles.csv"), problem);
+    }
+    // Last: what follows from it is not older than the others.
+    files.emplace_back("tracks.csv", capture::tracks_text(tracks));
     for (const auto& [name, text] : files) {
         if (auto written = write_file(plan.file(name), text); !written) {
             return written;
@@ -36,7 +54,10 @@ Expected<void> write_tracks(const CapturePlan& plan, const capture::TrackerStage
 }
 
 // How far each stage is from the truth.
-Expected<void> print_errors(const capture::TrackerStages& stages, const Path& folder) {
+Expected<void> print_errors(const TrackingGiven& given,
+                            const FollowedMarkers& followed,
+                            const Path& folder) {
+    const capture::TrackerStages& stages = followed.stages;
     const auto truth = load_tracks(folder);
     if (!truth) {
         return fail(truth.error());
@@ -61,7 +82,19 @@ Expected<void> print_errors(const capture::TrackerStages& stages, const Path& fo
                 ? fmt::format(", {:.1f} % of them flagged", 100.0 * errors->flagged_share())
                 : "");
     }
-    return {};
+    return followed.angles
+               ? print_angle_errors(followed, capture::BodyModel(given.angles->body), folder)
+               : Expected<void>{};
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::string cost_of(const capture::Tracks& tracks, double cpu) {
+    const double seconds = static_cast<double>(tracks.frame_count) / tracks.frames_per_second;
+    constexpr double kMinute = 60.0;
+    return fmt::format("{:.0f} CPU-s a minute of the dance, {:.0f} frames a second of CPU",
+                       cpu / seconds * kMinute,
+                       static_cast<double>(tracks.frame_count) / cpu);
 }
 
 std::string summary_of(const capture::Tracks& tracks) {
@@ -79,6 +112,51 @@ std::string summary_of(const capture::Tracks& tracks) {
         share * static_cast<double>(filled),
         share * static_cast<double>(lost),
         tracks.flags.size());
+}
+
+// What arguments say of the method, over what capture.toml says.
+void set_method(const TrackArguments& arguments, const CapturePlan& plan, TrackingGiven& given) {
+    const bool is_by_angles =
+        arguments.method.empty() ? plan.is_by_angles : arguments.method == "angles";
+    if (!is_by_angles) {
+        given.angles.reset();
+        return;
+    }
+    capture::AngleTrackerOptions options;
+    const bool is_paper = arguments.body.empty() ? plan.is_paper_body : arguments.body == "paper";
+    options.body = is_paper ? capture::BodyKind::paper : capture::BodyKind::dance;
+    options.body_error = arguments.body_error;
+    options.filter.likelihood = arguments.likelihood == "epipolar"
+                                    ? capture::Likelihood::epipolar
+                                    : capture::Likelihood::reprojection;
+    options.filter.filter =
+        arguments.filter == "full" ? capture::FilterKind::full : capture::FilterKind::partitioned;
+    options.filter.particles = static_cast<std::size_t>(arguments.particles);
+    options.filter.layers = static_cast<std::size_t>(arguments.layers);
+    options.filter.is_polished = !arguments.is_unpolished;
+    options.filter.seed = arguments.seed;
+    options.filter.threads = arguments.threads > 0
+                                 ? arguments.threads
+                                 : static_cast<int>(std::thread::hardware_concurrency());
+    for (const capture::Edit& edit : given.edits) {
+        if (edit.kind == capture::EditKind::swap || edit.kind == capture::EditKind::fill) {
+            say("edits that swap or fill are for the method of positions; they are passed over");
+            break;
+        }
+    }
+    given.angles = options;
+}
+
+// Follows the markers. A person who stops it keeps what is done.
+Expected<FollowedMarkers> follow(TrackingGiven& given) {
+    ProgressLine progress("tracking");
+    if (given.angles) {
+        given.angles->progress = [&progress](double share) {
+            progress.show(share);
+            return !stop_signal();
+        };
+    }
+    return track_with(given, given.edits);
 }
 
 capture::ChromaForm form_named(std::string_view name) {
@@ -104,22 +182,32 @@ ExitCode track(const TrackArguments& arguments) {
     given->options.acceleration = arguments.acceleration;
     given->options.smoothing = arguments.smoothing;
     given->options.check_order = !arguments.is_as_named;
-    const auto stages = track_with(*given, given->edits);
-    if (!stages) {
-        return fail(Error(stages.error()).in(arguments.folder.string()));
+    set_method(arguments, *plan, *given);
+    const double cpu_before = cpu_seconds();
+    const auto followed = follow(*given);
+    if (!followed) {
+        return fail(Error(followed.error()).in(arguments.folder.string()));
     }
-    if (auto written = write_tracks(*plan, *stages); !written) {
+    const double cpu = cpu_seconds() - cpu_before;
+    const capture::TrackerStages& stages = followed->stages;
+    if (auto written = write_tracks(*plan, *given, *followed); !written) {
         return fail(std::move(written.error()));
     }
-    for (const capture::CameraMove& move : stages->moves) {
-        say(capture::words_of_move(move, stages->smoothed));
+    for (const capture::CameraMove& move : stages.moves) {
+        say(capture::words_of_move(move, stages.smoothed));
     }
-    say(summary_of(stages->smoothed));
-    for (const std::string& doubt : track_doubts(stages->smoothed, given->markers)) {
+    say(summary_of(stages.smoothed));
+    if (followed->angles) {
+        say(cost_of(stages.smoothed, cpu));
+    }
+    for (const std::string& doubt : track_doubts(stages.smoothed, given->markers)) {
         say(doubt);
     }
+    if (stop_signal()) {
+        return exit_code_after_signals(kExitPartly);
+    }
     return arguments.truth.empty() ? ExitCode(kExitDone)
-                                   : exit_code_of(print_errors(*stages, arguments.truth));
+                                   : exit_code_of(print_errors(*given, *followed, arguments.truth));
 }
 
 }  // namespace raks::apps

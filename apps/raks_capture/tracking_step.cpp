@@ -34,18 +34,35 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                         std::move(*clocks),
                         std::move(*labels),
                         std::move(*edits),
-                        {}};
+                        {},
+                        std::nullopt};
     given.options.frames_per_second = plan.frames_per_second;
     given.options.first_time = plan.start;
     given.options.height = plan.height;
     given.options.check_order = false;
+    if (plan.is_by_angles) {
+        given.angles.emplace();
+        given.angles->body =
+            plan.is_paper_body ? capture::BodyKind::paper : capture::BodyKind::dance;
+    }
     return given;
 }
 
-Expected<capture::TrackerStages> track_with(const TrackingGiven& given,
-                                            const std::vector<capture::Edit>& edits) {
-    return capture::track_markers(
-        {given.rig, given.markers, given.seen, given.clocks, given.labels, edits}, given.options);
+Expected<FollowedMarkers> track_with(const TrackingGiven& given,
+                                     const std::vector<capture::Edit>& edits) {
+    const capture::TrackerInput input{
+        given.rig, given.markers, given.seen, given.clocks, given.labels, edits};
+    if (!given.angles) {
+        auto stages = capture::track_markers(input, given.options);
+        return stages ? Expected<FollowedMarkers>({std::move(*stages), std::nullopt, {}})
+                      : fail(std::move(stages.error()));
+    }
+    auto followed = capture::track_angles(input, given.options, *given.angles);
+    if (!followed) {
+        return fail(std::move(followed.error()));
+    }
+    return FollowedMarkers{
+        std::move(followed->stages), std::move(followed->angles), std::move(followed->shape)};
 }
 
 }  // namespace raks::apps

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "apps/raks_capture/capture_plan.hpp"
+#include "motion/capture/angles/angle_tracker.hpp"
 #include "motion/capture/pictures/chroma.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 
@@ -19,6 +21,8 @@ struct TrackingGiven {
     std::vector<capture::MarkerLabel> labels;
     std::vector<capture::Edit> edits;
     capture::TrackerOptions options;  ///< by capture.toml; the order of the films is not checked
+    /// By capture.toml: the markers are followed by the angles of a body. None: each by itself.
+    std::optional<capture::AngleTrackerOptions> angles;
 };
 
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be
@@ -27,8 +31,16 @@ struct TrackingGiven {
                                                     const std::filesystem::path& labels,
                                                     capture::ChromaForm form);
 
-/// Follows the markers with these edits instead of those that were read. Errors: as track_markers.
-[[nodiscard]] Expected<capture::TrackerStages> track_with(const TrackingGiven& given,
-                                                          const std::vector<capture::Edit>& edits);
+/// What was followed.
+struct FollowedMarkers {
+    capture::TrackerStages stages;
+    std::optional<capture::AngleTrack> angles;  ///< where a body was followed
+    capture::BodyShape shape;                   ///< likewise
+};
+
+/// Follows the markers with these edits instead of those that were read. Errors: as
+/// track_markers and track_angles.
+[[nodiscard]] Expected<FollowedMarkers> track_with(const TrackingGiven& given,
+                                                   const std::vector<capture::Edit>& edits);
 
 }  // namespace raks::apps

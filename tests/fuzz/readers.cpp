@@ -79,6 +79,7 @@ std::span<const Reader> readers() {
         {"clocks", read_clocks_file, {}, 2000},
         {"marker_labels", read_marker_labels, {}, 2000},
         {"detections", read_detections, {}, 1000},
+        {"angles", read_angles_file, {}, 1000},
         {"tracks", read_tracks_file, {}, 1000},
         {"flags", read_flags_file, {}, 2000},
         {"moves", read_moves_file, {}, 2000},

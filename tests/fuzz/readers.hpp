@@ -96,6 +96,7 @@ bool read_marker_set_file(std::string_view text);      ///< likewise, as those t
 bool read_clocks_file(std::string_view text);          ///< of cameras
 bool read_marker_labels(std::string_view text);        ///< of pictures
 bool read_detections(std::string_view text);           ///< spots in pictures
+bool read_angles_file(std::string_view text);          ///< of a body
 bool read_tracks_file(std::string_view text);          ///< of markers; and as TRC
 bool read_flags_file(std::string_view text);           ///< of two markers over ten frames
 bool read_moves_file(std::string_view text);           ///< `moved.tsv`; and writes it again

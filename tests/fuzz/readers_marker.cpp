@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -55,6 +56,20 @@ bool read_marker_labels(std::string_view text) {
 
 bool read_detections(std::string_view text) {
     return reads_back(text, capture::read_observations, capture::observations_text);
+}
+
+bool read_angles_file(std::string_view text) {
+    const capture::BodyModel model(capture::BodyKind::paper);
+    const auto track = capture::read_angles(text, "x", model);
+    if (!track) {
+        must_be_one_line(track.error().message);
+        return false;
+    }
+    // Turns are kept as quaternions, which does not give the same digits; the rest must be the
+    // same.
+    const auto again = capture::read_angles(capture::angles_text(*track, model), "y", model);
+    must(again && again->states.size() == track->states.size() && again->is_lost == track->is_lost);
+    return true;
 }
 
 bool read_tracks_file(std::string_view text) {

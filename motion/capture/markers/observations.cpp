@@ -14,7 +14,7 @@ namespace raks::capture {
 namespace {
 
 constexpr std::string_view kObservationsHead = "camera,picture,time,colour,u,v,area";
-constexpr std::size_t kMostCameras = 100;
+constexpr std::size_t kMostFilmed = 100;
 constexpr std::size_t kMostColours = 256;
 constexpr double kFarthestPixel = 1e5;
 constexpr double kLongestTime = 86400.0;
@@ -97,8 +97,8 @@ class ObservationsReader {
                         fmt::format("rows of camera \"{}\" must lie together", printable(camera)));
                 }
             }
-            if (result_.films.size() == kMostCameras) {
-                return fail(fmt::format("more than {} cameras", kMostCameras));
+            if (result_.films.size() == kMostFilmed) {
+                return fail(fmt::format("more than {} cameras", kMostFilmed));
             }
             result_.films.push_back({std::string(camera), {}});
         }

@@ -117,6 +117,11 @@ BodyModel::BodyModel(BodyKind kind) {
 }
 
 void BodyModel::add(TurningJoint joint) {
+    if (joint.name.empty()) {
+        // A joint of its own for a turn along the bone that another one bends.
+        joint.name = motion::kBoneNames[index_of(joint.bones[0])];
+        joint.name += has_joint(joint.name) ? "Twist" : "";
+    }
     joint.first = variables_;
     variables_ += joint.size();
     for (std::size_t i = 0; i < joint.count; ++i) {
@@ -124,6 +129,12 @@ void BodyModel::add(TurningJoint joint) {
     }
     joints_.push_back(joint);
     RAKS_ASSERT(joints_.size() <= kMostJoints && variables_ <= kMostVariables);
+}
+
+bool BodyModel::has_joint(std::string_view name) const noexcept {
+    return std::any_of(joints_.begin(), joints_.end(), [name](const TurningJoint& joint) {
+        return joint.name == name;
+    });
 }
 
 void BodyModel::add_trunk(BodyKind kind) {

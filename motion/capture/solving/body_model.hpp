@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/capture/markers/marker_set.hpp"
@@ -24,6 +26,7 @@ enum class BodyKind : std::uint8_t {
 /// A joint that turns, or several in a row that turn alike. Its variables are a small turn of it in
 /// the frame that it has, so a dancer may spin as often as wanted.
 struct TurningJoint {
+    std::string name{};                    ///< differs from the others'; "leftLowerArm"
     std::array<motion::Bone, 3> bones{};   ///< the first `count`, each turned by an equal share
     std::size_t count = 1;                 ///< 1 to 3
     bool is_hinge = false;                 ///< turns about `axis` alone
@@ -103,6 +106,12 @@ struct PointMotion {
 /// The joints of a body and their order. Threads: any, once made.
 class BodyModel {
  public:
+    /// One bone of a joint. Parts of one bone turn one after the other.
+    struct Part {
+        std::size_t joint = 0;
+        motion::Bone bone = motion::Bone::hips;
+    };
+
     /// The model of a kind.
     explicit BodyModel(BodyKind kind);
 
@@ -110,6 +119,8 @@ class BodyModel {
     [[nodiscard]] const std::vector<TurningJoint>& joints() const noexcept { return joints_; }
     /// Number of variables.
     [[nodiscard]] std::size_t variables() const noexcept { return variables_; }
+    /// Its parts, the hips first; those of a bone in the order in which they turn.
+    [[nodiscard]] const std::vector<Part>& parts() const noexcept { return parts_; }
 
     /// Standing, facing +z, each joint as usual.
     [[nodiscard]] BodyState usual_state(const BodyShape& shape) const;
@@ -123,21 +134,18 @@ class BodyModel {
                                         const glm::dvec3& point) const;
     /// The turn of all bones of a joint together, as a vector (a hinge's: x); radians.
     [[nodiscard]] glm::dvec3 turn_of(const BodyState& state, std::size_t joint) const;
+    /// The turn of one bone of a joint.
+    [[nodiscard]] glm::dquat local_turn(const BodyState& state, std::size_t joint) const;
     /// The state as a pose of the humanoid.
     [[nodiscard]] motion::Pose pose_of(const BodyState& state) const;
     /// The state `share` of the way between two; [0, 1].
     [[nodiscard]] BodyState between(const BodyState& from, const BodyState& to, double share) const;
 
  private:
-    struct Part {  // one bone of a joint
-        std::size_t joint = 0;
-        motion::Bone bone = motion::Bone::hips;
-    };
-
     void add(TurningJoint joint);
+    [[nodiscard]] bool has_joint(std::string_view name) const noexcept;
     void add_trunk(BodyKind kind);
     void add_side(BodyKind kind, motion::Side side);
-    [[nodiscard]] glm::dquat local_turn(const BodyState& state, std::size_t joint) const;
 
     std::vector<TurningJoint> joints_;
     std::vector<Part> parts_;

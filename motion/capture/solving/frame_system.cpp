@@ -88,17 +88,6 @@ double add_ball(const TurningJoint& joint,
     return cost;
 }
 
-double add_joints(const FrameContext& context, const BodyState& state, FrameSystem& system) {
-    double cost = 0.0;
-    const auto& joints = context.model.joints();
-    for (std::size_t i = 1; i < joints.size(); ++i) {  // the hips turn as they like
-        cost += joints[i].is_hinge
-                    ? add_hinge(joints[i], state.angles[i], context.weights.usual, system)
-                    : add_ball(joints[i], state.turns[i], context.weights.usual, system);
-    }
-    return cost;
-}
-
 double add_floor(const FrameContext& context,
                  const PlacedBody& body,
                  const FrameSight& sight,
@@ -144,6 +133,18 @@ void FrameSystem::add(const PointMotion& motion,
     }
 }
 
+void FrameSystem::add(const PointMotion& motion, const glm::dvec3& pull, const glm::dmat3& weight) {
+    for (std::size_t i = 0; i < motion.count; ++i) {
+        const glm::dvec3 weighted = weight * motion.moves[i];
+        const auto row = static_cast<Eigen::Index>(motion.variables[i]);
+        gradient(row) += glm::dot(pull, motion.moves[i]);
+        for (std::size_t k = 0; k < motion.count; ++k) {
+            matrix(static_cast<Eigen::Index>(motion.variables[k]), row) +=
+                glm::dot(weighted, motion.moves[k]);
+        }
+    }
+}
+
 double marker_trust(const glm::dvec3& difference, double outlier) noexcept {
     return 1.0 / (1.0 + glm::dot(difference, difference) / (outlier * outlier));
 }
@@ -153,12 +154,23 @@ double sole_weight(double planted, double height) noexcept {
     return height < 0.0 ? on + 1.0 / (kFloorDeviation * kFloorDeviation) : on;
 }
 
+double add_joint_terms(const FrameContext& context, const BodyState& state, FrameSystem& system) {
+    double cost = 0.0;
+    const auto& joints = context.model.joints();
+    for (std::size_t i = 1; i < joints.size(); ++i) {  // the hips turn as they like
+        cost += joints[i].is_hinge
+                    ? add_hinge(joints[i], state.angles[i], context.weights.usual, system)
+                    : add_ball(joints[i], state.turns[i], context.weights.usual, system);
+    }
+    return cost;
+}
+
 double add_frame_terms(const FrameContext& context,
                        const BodyState& state,
                        const PlacedBody& body,
                        const FrameSight& sight,
                        FrameSystem& system) {
-    return add_markers(context, body, sight, system) + add_joints(context, state, system) +
+    return add_markers(context, body, sight, system) + add_joint_terms(context, state, system) +
            add_floor(context, body, sight, system);
 }
 

@@ -32,6 +32,9 @@ struct FrameSystem {
     void clear(std::size_t variables);
     /// Adds a difference (metres) of a point that moves so, weighted by axis (1 / variance).
     void add(const PointMotion& motion, const glm::dvec3& difference, const glm::dvec3& weight);
+    /// Adds what is known of a point that moves so: `pull` and `weight` are gradient and Hessian of
+    /// the cost by its place.
+    void add(const PointMotion& motion, const glm::dvec3& pull, const glm::dmat3& weight);
 };
 
 /// How terms are weighed.
@@ -54,6 +57,9 @@ struct FrameContext {
 /// Weight (1 / variance) of the height of a sole's point over the floor: soles are not under it,
 /// and where planted on it.
 [[nodiscard]] double sole_weight(double planted, double height) noexcept;
+
+/// Adds the limits and usual turns of the joints. Returns the cost.
+double add_joint_terms(const FrameContext& context, const BodyState& state, FrameSystem& system);
 
 /// Adds the measured markers, the limits and usual turns of the joints, and the floor: soles are
 /// not under it, and where planted on it. Returns the cost (half of the sum of squares).

@@ -117,6 +117,7 @@ class DanceSolver {
     Expected<void> begin_size();
     void fit_size_to(std::size_t most_frames);
     void smooth_states(int rounds);
+    [[nodiscard]] std::vector<BodyState> started_states() const;
     void report_markers(SolvedDance& dance) const;
     [[nodiscard]] FrameContext context() const { return {model_, bones_, shape_, weights_}; }
     [[nodiscard]] SolvedDance result() const;
@@ -231,6 +232,18 @@ void DanceSolver::fit_size_to(std::size_t most_frames) {
     shape_ = shape_of(size_, markers_);
 }
 
+/// The postures that were given, and between two of the tracks' frames what lies between them.
+std::vector<BodyState> DanceSolver::started_states() const {
+    std::vector<BodyState> states;
+    for (std::size_t frame = 0; frame < sights_.size(); ++frame) {
+        const std::size_t before = frame / between_;
+        const std::size_t after = std::min(before + 1, options_.start.size() - 1);
+        const double share = static_cast<double>(frame % between_) / static_cast<double>(between_);
+        states.push_back(model_.between(options_.start[before], options_.start[after], share));
+    }
+    return states;
+}
+
 void DanceSolver::smooth_states(int rounds) {
     FrameContext smoothing = context();
     smoothing.weights.usual = kUsualPostureWeightInSmoothing;
@@ -247,7 +260,7 @@ Expected<SolvedDance> DanceSolver::solve() {
         return fail(std::move(begun.error()));
     }
     weights_.outlier = kOutlierMetresBeforeSize;
-    states_ = fit_frames(context(), sights_);
+    states_ = options_.start.empty() ? fit_frames(context(), sights_) : started_states();
     fit_size_to(kSizeFrames);
     weights_.outlier = kOutlierMetresAfterSize;
     fit_size_to(kSizeFrames);
@@ -329,6 +342,11 @@ Expected<SolvedDance> solve(const Tracks& tracks,
             fmt::format("{} markers over {} frames are too few; 6 markers and 3 frames are needed",
                         tracks.markers.size(),
                         tracks.frame_count));
+    }
+    if (!options.start.empty() && options.start.size() != tracks.frame_count) {
+        return fail(fmt::format("{} postures are given for {} frames of the tracks; track again",
+                                options.start.size(),
+                                tracks.frame_count));
     }
     if (options.height && !(*options.height >= kLeastHeight && *options.height <= kMostHeight)) {
         return fail(fmt::format(

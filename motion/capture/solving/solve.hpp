@@ -26,6 +26,9 @@ struct SolveOptions {
     /// How far markers sit from where the set has them: standard deviation along each axis, metres.
     double marker_deviation = 0.015;
     double smoothness = 1.0;  ///< > 1: the dancer is expected to move more softly
+    /// By frame of the tracks: postures of the model from which the body and its motion are fitted.
+    /// None: they are found in the tracks, each frame by itself.
+    std::vector<BodyState> start{};
     /// Called with the share done, [0, 1], between the stages; once it returns false, solve ends
     /// with an error.
     std::function<bool(double)> progress{};
@@ -65,10 +68,11 @@ struct SolvedDance {
 /// floor, and accelerations like dancers': one least-squares problem over all frames.
 ///
 /// Errors, one line: a track whose marker the set lacks, fewer than 6 markers or 3 frames, fewer
-/// than 3 markers of the trunk in every frame, rates outside of 1 to 1,000 a second, a height
-/// outside of 0.8 to 2.5 m, a body whose markers give such a height, or one that is off by a fifth
-/// from the height that was told: the board was of another size, or units are wrong.
-/// Deterministic. Threads: workers. Real-time: no (some 100 frames a second).
+/// than 3 markers of the trunk in every frame, another number of starts than of frames, rates
+/// outside of 1 to 1,000 a second, a height outside of 0.8 to 2.5 m, a body whose markers give such
+/// a height, or one that is off by a fifth from the height that was told: the board was of another
+/// size, or units are wrong. Deterministic. Threads: workers. Real-time: no (some 100 frames a
+/// second).
 [[nodiscard]] Expected<SolvedDance> solve(const Tracks& tracks,
                                           const MarkerSet& markers,
                                           const SolveOptions& options = {});

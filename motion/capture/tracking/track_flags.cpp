@@ -30,6 +30,8 @@ class Tracked {
     std::size_t markers_;
 };
 
+bool is_seen(const TrackedMarker& marker) { return marker.measured && !marker.is_of_body; }
+
 // Smooths one marker's run of frames, whose first and last were measured.
 void smooth_run(const Tracked& tracked,
                 std::size_t marker,
@@ -48,7 +50,7 @@ void smooth_run(const Tracked& tracked,
         tracks.at(first + i, marker) = {beliefs[i].place,
                                         beliefs[i].deviation(),
                                         static_cast<std::uint8_t>(seen.views),
-                                        seen.measured ? PlaceSource::seen : PlaceSource::filled};
+                                        is_seen(seen) ? PlaceSource::seen : PlaceSource::filled};
     }
 }
 
@@ -198,13 +200,13 @@ void fill_stages(const std::vector<TrackedMarker>& tracked,
             triangulated.places[i] = {marker.measured->place,
                                       std::sqrt(c[0][0] + c[1][1] + c[2][2]),
                                       views,
-                                      PlaceSource::seen};
+                                      is_seen(marker) ? PlaceSource::seen : PlaceSource::filled};
         }
         if (marker.belief) {
             filtered.places[i] = {marker.belief->place,
                                   marker.belief->deviation(),
                                   views,
-                                  marker.measured ? PlaceSource::seen : PlaceSource::filled};
+                                  is_seen(marker) ? PlaceSource::seen : PlaceSource::filled};
         }
     }
     for (std::size_t marker = 0; marker < markers; ++marker) {

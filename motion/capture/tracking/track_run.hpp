@@ -42,8 +42,9 @@ struct TrackRunInput {
 struct TrackedMarker {
     std::optional<MarkerBelief> belief;     ///< after the frame; none: not known yet
     std::optional<MeasuredPlace> measured;  ///< none: not seen by two views
-    std::size_t views = 0;                  ///< that count
-    double residual = 0.0;                  ///< RMS, pixels
+    bool is_of_body = false;   ///< `measured` is where the body has it: its views are too few
+    std::size_t views = 0;     ///< that count
+    double residual = 0.0;     ///< RMS, pixels
     bool jumps = false;        ///< its views agree on a place that it cannot have reached
     bool contradicts = false;  ///< a place was given up since the body does not allow it
 };
