@@ -203,6 +203,8 @@ def hands(raks):
         time.sleep(2.0)
         result["next"] = does(["next"], "now")
         stage.wait_for(lambda: said("beat", time.monotonic() - 0.5), 10.0)
+        # mpv names a file by its own name until it has read its tags.
+        stage.wait_for(lambda: said("now", 0)[-1]["title"] == "Song 1", 10.0)
         result["titles"] = [line["title"] for line in said("now", 0)]
         stage.run(["playerctl", "stop"])
         return result

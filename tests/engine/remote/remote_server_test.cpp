@@ -175,6 +175,9 @@ class Server : public ::testing::Test {
                        static_cast<unsigned char>(more[1]);
             }
             const std::string text = client.read(size);
+            if (text.size() < size) {
+                return nullptr;
+            }
             if ((head[0] & 0x0F) == 1) {
                 auto message = nlohmann::json::parse(text);
                 if (message["type"] == type) {
