@@ -55,8 +55,8 @@ struct AngleFilter::Stage {
     const JointGroup& group;
     const PostureWeigher& weigher;
     const BodyState& reference;
-    const std::vector<BodyState>* known = nullptr;  ///< none: no limb is taken from there
-    bool is_astray = false;
+    const std::vector<BodyState>* known = nullptr;  ///< of a limb
+    LimbSight sight = LimbSight::seen;
     std::size_t layers = 1;
     double noise = 1.0;  ///< of the first layer, times the motion scale
     double survival = 0.5;
@@ -109,7 +109,7 @@ void AngleFilter::diffuse(const Stage& stage,
         float* const changes = changes_.of(variable);
         const double deviation = noise * scale_[variable];
         for (std::size_t i = std::max<std::size_t>(1, first); i < last; ++i) {
-            const bool is_wide = layer == 0 && stage.known != nullptr && i <= wide;
+            const bool is_wide = layer == 0 && stage.sight != LimbSight::seen && i <= wide;
             changes[i] +=
                 static_cast<float>((is_wide ? kWideNoise : 1.0) * deviation *
                                    random.normal(i * context_.model.variables() + variable));
@@ -120,16 +120,17 @@ void AngleFilter::diffuse(const Stage& stage,
 // Puts the last particles of a limb where it was in known postures, and of one that has gone astray
 // wherever its joints can bring it.
 void AngleFilter::scatter(const Stage& stage) {
-    if (stage.known == nullptr) {
+    if (stage.sight == LimbSight::seen) {
         return;
     }
+    const bool is_astray = stage.sight == LimbSight::astray;
     const CounterRandom random(options_.seed, stage.stream + stage.layers);
     const auto share = [this](double of) {
         return static_cast<std::size_t>(of * static_cast<double>(options_.particles));
     };
-    const std::size_t drawn = stage.is_astray ? share(kDrawnShareAstray) : 0;
+    const std::size_t drawn = is_astray ? share(kDrawnShareAstray) : 0;
     const std::size_t known =
-        stage.known->empty() ? 0 : share(stage.is_astray ? kKnownShareAstray : kKnownShare);
+        stage.known->empty() ? 0 : share(is_astray ? kKnownShareAstray : kKnownShare);
     for (std::size_t i = options_.particles - drawn - known; i < options_.particles; ++i) {
         const bool is_drawn = i >= options_.particles - drawn;
         for (const std::size_t index : stage.group.joints) {
@@ -269,37 +270,54 @@ void AngleFilter::run(const Stage& stage) {
     gather(stage, weights);
 }
 
+// A stage of the partitioned filter, beside the whole one of a frame.
+AngleFilter::Stage AngleFilter::part_of(const Stage& whole,
+                                        const JointGroup& group,
+                                        std::uint64_t number) const {
+    constexpr std::uint64_t kStreamsAStage = 1U << 12U;
+    Stage stage{group, whole.weigher, whole.reference};
+    stage.noise = kFirstNoise;
+    stage.survival = kPartitionedSurvival;
+    stage.stream = whole.stream + number * kStreamsAStage;
+    stage.threads = options_.threads;
+    stage.square_bound = whole.square_bound;
+    stage.sigma = whole.sigma;
+    return stage;
+}
+
 void AngleFilter::run_parts(const Stage& whole, const PostureGuess& guess) {
     const std::size_t of_trunk = layers_of(kShareOfTrunk, options_.layers);
     const std::size_t of_all = layers_of(kShareOfAll, options_.layers);
-    constexpr std::uint64_t kStreamsAStage = 1U << 12U;
-    const auto stage_of = [&](const JointGroup& group, std::uint64_t number) {
-        Stage stage{group, whole.weigher, whole.reference};
-        stage.noise = kFirstNoise;
-        stage.survival = kPartitionedSurvival;
-        stage.stream = whole.stream + number * kStreamsAStage;
-        stage.threads = options_.threads;
-        stage.square_bound = whole.square_bound;
-        stage.sigma = whole.sigma;
-        return stage;
-    };
-    Stage trunk = stage_of(division_.trunk, 1);
+    Stage trunk = part_of(whole, division_.trunk, 1);
     trunk.layers = of_trunk;
     run(trunk);
     run_parallel(division_.limbs.size(), options_.threads, [&](std::size_t i) {
-        Stage limb = stage_of(division_.limbs[i], 2 + i);
+        Stage limb = part_of(whole, division_.limbs[i], 2 + i);
         limb.layers = std::max<std::size_t>(
             1, options_.layers - std::min(options_.layers, of_trunk + of_all));
         limb.known = &guess.known;
-        limb.is_astray = !guess.is_astray.empty() && guess.is_astray[i];
+        limb.sight = guess.limbs.empty() ? LimbSight::seen : guess.limbs[i];
         limb.threads = 1;
         run(limb);
     });
-    Stage all = stage_of(division_.whole, 0);
+    Stage all = part_of(whole, division_.whole, 0);
     all.layers = of_all;
     all.noise = kJointNoise * kFirstNoise;
     all.tells_spread = false;
     run(all);
+}
+
+// Also the full filter seeks limbs that have gone astray by themselves.
+void AngleFilter::run_astray(const Stage& whole, const PostureGuess& guess) {
+    for (std::size_t i = 0; i < guess.limbs.size(); ++i) {
+        if (guess.limbs[i] == LimbSight::astray) {
+            Stage limb = part_of(whole, division_.limbs[i], 2 + i);
+            limb.layers = options_.layers;
+            limb.known = &guess.known;
+            limb.sight = guess.limbs[i];
+            run(limb);
+        }
+    }
 }
 
 FilteredPosture AngleFilter::find(const FrameMarks& marks,
@@ -323,6 +341,7 @@ FilteredPosture AngleFilter::find(const FrameMarks& marks,
         marks.pictures().empty() ? options_.sigma : options_.sigma / marks.pictures().front().scale;
     if (is_full) {
         run(whole);
+        run_astray(whole, guess);
     } else {
         run_parts(whole, guess);
     }

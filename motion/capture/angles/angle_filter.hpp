@@ -39,13 +39,20 @@ struct AngleFilterOptions {
 /// tells: standard deviations, metres and radians. The layers begin with it.
 [[nodiscard]] std::vector<double> motion_scale(const BodyModel& model, double frames_per_second);
 
+/// How a limb was seen in the frames before.
+enum class LimbSight : std::uint8_t {
+    seen,    ///< where it was thought to be
+    missed,  ///< not seen there: it is sought farther away, too, and where it was at other times
+    astray,  ///< for several frames: it is sought everywhere
+};
+
 /// What is known before a frame.
 struct PostureGuess {
     const BodyState& predicted;
-    /// Postures of the same body from which limbs are taken, in case one has gone astray.
+    /// Postures of the same body from which limbs are taken that were not seen.
     const std::vector<BodyState>& known;
-    /// By limb of the division: it has gone astray, and is sought everywhere. Empty: none has.
-    std::vector<bool> is_astray{};
+    /// By limb of the division: how it was seen before. Empty: all were.
+    std::vector<LimbSight> limbs{};
 };
 
 /// A posture that was found.
@@ -77,7 +84,11 @@ class AngleFilter {
  private:
     struct Stage;
 
+    [[nodiscard]] Stage part_of(const Stage& whole,
+                                const JointGroup& group,
+                                std::uint64_t number) const;
     void run_parts(const Stage& whole, const PostureGuess& guess);
+    void run_astray(const Stage& whole, const PostureGuess& guess);
     void run(const Stage& stage);
     void diffuse(const Stage& stage, std::size_t layer, std::size_t first, std::size_t last);
     void scatter(const Stage& stage);

@@ -27,7 +27,7 @@ constexpr double kBodyDeviation = 0.03;
 
 constexpr double kSeenWithin = 8.0;        // pixels: a marker so near to a spot is seen
 constexpr double kLeastSeenOfTrunk = 0.3;  // of its markers by two pictures, or the body is lost
-constexpr double kLeastSeenOfLimb = 0.3;
+constexpr double kLeastSeenOfLimb = 0.6;
 constexpr int kSoughtAfterMisses = 3;  // frames
 constexpr int kAstrayAfter = 4;        // frames
 
@@ -237,7 +237,7 @@ class AngleRun {
     void forget() {
         missed_ = 0;
         limb_misses_.clear();
-        astray_.clear();
+        limb_sights_.clear();
     }
 
     // Where the body or a limb was lost, and found again, it is followed from there backward; what
@@ -246,10 +246,15 @@ class AngleRun {
         const std::size_t frames = track_.states.size();
         std::vector<double> energies(frames);
         std::vector<bool> is_doubtful(frames);
+        std::size_t run = 0;
         for (std::size_t frame = 0; frame < frames; ++frame) {
             const auto [energy, doubt] = assess(frame);
             energies[frame] = energy;
-            is_doubtful[frame] = doubt;
+            run = doubt ? run + 1 : 0;
+            for (std::size_t i = 0; run >= kAstrayAfter && i < run; ++i) {
+                is_doubtful[frame - i] = true;
+            }
+            is_doubtful[frame] = is_doubtful[frame] || track_.is_lost[frame];
         }
         for (std::size_t last = frames; last-- > 1;) {
             if (!is_doubtful[last - 1] || is_doubtful[last] || track_.is_lost[last]) {
@@ -301,7 +306,7 @@ class AngleRun {
         FrameMarks marks(*input_.rig, spots.spots, input_.classes, spots.is_hidden, spots.said);
         marks.set_motion(marker_places_of(context_, predicted),
                          velocities_between(far, near, before, beyond));
-        FilteredPosture found = filter_.find(marks, {predicted, known_, astray_}, frame);
+        FilteredPosture found = filter_.find(marks, {predicted, known_, limb_sights_}, frame);
         missed_ = is_on_spots(marks, found.state) ? 0 : missed_ + 1;
         if (missed_ >= kSoughtAfterMisses || (missed_ > 0 && track_.is_lost[before])) {
             seek(frame, spots, marks, found);
@@ -328,7 +333,7 @@ class AngleRun {
             return;
         }
         FilteredPosture again{*start, {}};
-        const std::vector<bool> all(filter_.division().limbs.size(), true);
+        const std::vector<LimbSight> all(filter_.division().limbs.size(), LimbSight::astray);
         constexpr int kTimes = 3;
         for (int i = 0; i < kTimes; ++i) {
             again = filter_.find(marks, {again.state, known_, all}, frame);
@@ -344,12 +349,14 @@ class AngleRun {
         const auto places = marker_places_of(context_, state);
         const std::vector<JointGroup>& limbs = filter_.division().limbs;
         limb_misses_.resize(limbs.size());
-        astray_.resize(limbs.size());
+        limb_sights_.resize(limbs.size());
         for (std::size_t i = 0; i < limbs.size(); ++i) {
             const bool is_seen =
                 seen_share(places, marks, limbs[i].markers, kSeenWithin) >= kLeastSeenOfLimb;
             limb_misses_[i] = is_seen ? 0 : limb_misses_[i] + 1;
-            astray_[i] = limb_misses_[i] >= kAstrayAfter;
+            limb_sights_[i] = limb_misses_[i] >= kAstrayAfter ? LimbSight::astray
+                              : is_seen                       ? LimbSight::seen
+                                                              : LimbSight::missed;
         }
     }
 
@@ -421,9 +428,9 @@ class AngleRun {
     int threads_;
     AngleTrack track_;
     std::vector<BodyState> known_;
-    int missed_ = 0;                // frames since the body was seen
-    std::vector<int> limb_misses_;  // by limb: frames since it was seen
-    std::vector<bool> astray_;      // by limb
+    int missed_ = 0;                        // frames since the body was seen
+    std::vector<std::size_t> limb_misses_;  // by limb: frames since it was seen
+    std::vector<LimbSight> limb_sights_;
 };
 
 // Makes a body wrong: each bone and each place on it by another factor.
