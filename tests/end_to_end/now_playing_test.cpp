@@ -207,10 +207,15 @@ TEST_F(NowPlaying, is_told_by_lines_osc_and_http_with_a_monitor) {
     ASSERT_TRUE(raks.wait_for_output("\"Quimbara\"")) << raks.output().err;
     player.set_song(song_named("La negra\n", 2));
     ASSERT_TRUE(raks.wait_for_output("La negra"));
-    const auto state =
-        nlohmann::json::parse(run_program({"curl", "-s", "http://127.0.0.1:" + port + "/state"}));
+    // The main thread, which serves the state, hears of it with its next turn.
+    nlohmann::json playing;
+    EXPECT_TRUE(wait_for_answer([&] {
+        playing = nlohmann::json::parse(
+            run_program({"curl", "-s", "http://127.0.0.1:" + port + "/state"}))["playing"];
+        return playing["title"] == "La negra";
+    }));
     EXPECT_EQ(
-        state["playing"],
+        playing,
         nlohmann::json(
             {{"player", "mpv"}, {"title", "La negra"}, {"artist", "somebody"}, {"playing", true}}));
     raks.send(SIGINT);
