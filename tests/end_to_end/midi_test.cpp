@@ -6,7 +6,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include "base/pending_file.hpp"
 #include "base/time.hpp"
