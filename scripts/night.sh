@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# A night in short: `raks live` and `raks play` run on a PulseAudio server of their own while every
-# minute something goes wrong: the server is killed and comes back, the default changes, a sink is
-# removed, the programs are stopped for 5 s, the processor is busy, who is told of the beats is killed and
-# comes back, the disk that beats are written to is full, the default sink is 300 ms late. At the end both must be there,
-# with no thread or descriptor more than at the start, no growing memory, and the tempo of the music.
+# A night in short: `raks play` plays clicks and `raks live` hears them, on a PulseAudio server of their
+# own, while every minute something goes wrong: the server is killed and comes back, the default
+# changes, a sink is removed, the programs are stopped for 5 s, the processor is busy, who is told of the
+# beats is killed and comes back, the disk that beats are written to is full, the default sink is 300 ms
+# late. At the end both must be there, with no thread or descriptor more than at the start, no growing
+# memory, and the tempo of the music. A last minute without a fault counts the beats that each target
+# gets, and measures how far from the clicks they arrive.
 #   scripts/night.sh [MINUTES]     30 when not given; 6 at least
 # Needs the packages of scripts/setup.sh. Prints a line a minute; exit code 1 when something is wrong.
 set -euo pipefail
@@ -19,7 +21,8 @@ stop() {
 }
 trap stop EXIT
 
-"$raks" synth drums -o "$folder/drums.wav" --bpm 128 --duration 600
+bpm=128
+"$raks" synth clicks -o "$folder/clicks.wav" --bpm $bpm --duration 600
 export PULSE_RUNTIME_PATH=$folder XDG_RUNTIME_DIR=$folder PULSE_SERVER=unix:$folder/native
 export JACK_NO_START_SERVER=1
 unset DISPLAY
@@ -38,22 +41,22 @@ start_server() {
     add_sink headphones Headphones 44100
     pactl set-default-sink speakers
 }
-# Another program's music, on the default sink, whatever happens to the server.
-music() { while :; do paplay "$folder/drums.wav" 2>/dev/null || sleep 0.2; done; }
-
 start_server 48000
-music &
+# A server of JACK for the MIDI clock alone: no sound goes through it.
+export JACK_DEFAULT_SERVER=raks-night-$$
+jackd -n "$JACK_DEFAULT_SERVER" --no-realtime -d dummy -p 256 >>"$folder/server.log" 2>&1 &
 pids+=($!)
-"$raks" live --headless 2>"$folder/live.err" &
+jack_wait -s "$JACK_DEFAULT_SERVER" -w -t 10 >/dev/null 2>&1
+"$raks" live --headless --audio-system pulse 2>"$folder/live.err" &
 live=$!
 # Beats by all protocols, to a receiver that counts them and to peers that are not there.
 hear_beats() {
-    python3 tests/receivers/count_beats.py --listen 17791 17792 17793 >>"$folder/beats" &
+    python3 tests/receivers/count_beats.py --listen $bpm 17791 17792 17793 17794 >>"$folder/beats" &
     receiver=$!
 }
 hear_beats
-"$raks" play "$folder/drums.wav" --headless --repeat --volume 0 --lines /dev/null --osc 127.0.0.1:17791,rate=50 \
-    --wled 127.0.0.1:17792 --os2l 127.0.0.1:17793 --osc no-such-host.invalid:9000 --os2l 127.0.0.1:1 2>"$folder/play.err" &
+"$raks" play "$folder/clicks.wav" --headless --repeat --audio-system pulse --lines /dev/null --osc 127.0.0.1:17791,rate=50 \
+    --wled 127.0.0.1:17792 --os2l 127.0.0.1:17793 --vmc 127.0.0.1:17794 --midi-clock mclk_in --osc 127.0.0.1:17795 --osc no-such-host.invalid:9000 --os2l 127.0.0.1:1 2>"$folder/play.err" &
 play=$!
 pids+=($live $play)
 
@@ -97,7 +100,7 @@ wreck() {
             sleep 20
             hear_beats ;;
         disk)
-            timeout -s INT 20 "$raks" play "$folder/drums.wav" --headless --volume 0 --lines /dev/full \
+            timeout -s INT 20 "$raks" play "$folder/clicks.wav" --headless --volume 0 --lines /dev/full \
                 2>"$folder/disk.err" || [ $? -eq 124 ] || disk_trouble="it ends"
             [ "$(grep -c "No space left" "$folder/disk.err")" -eq 1 ] || disk_trouble="it is not said once" ;;
         late)
@@ -130,17 +133,34 @@ for ((minute = 1; minute <= minutes; ++minute)); do
 done
 
 last_live=$(state $live) last_play=$(state $play)
+# A minute without a fault, heard by receivers that see nothing else.
+kill $receiver
+wait $receiver || true
+hear_beats
+(timeout 30 stdbuf -oL jack_mclk_dump -n >"$folder/clock" 2>&1 || true) &
+sleep 10
+PULSE_RUNTIME_PATH=$folder python3 tests/receivers/late_sink.py --running speakers 17795 40 >"$folder/landing"
+kill $receiver
+wait $receiver || true
 kill -INT $live $play
 live_code=0 play_code=0
 wait $live || live_code=$?
 wait $play || play_code=$?
 fault=0
 wrong() { echo "WRONG: $*"; fault=1; }
-kill $receiver
-wait $receiver || true
-echo "beats since the receiver came back: $(tail -n 1 "$folder/beats")"
-tail -n 1 "$folder/beats" | grep -q '"osc": [1-9].*"os2l": [1-9].*"wled": [1-9]' || wrong "a target gets no beats any more"
-[ "$(grep -c "nobody listens there\|closed the connection\|reset by peer" "$folder/play.err")" -le 3 ] ||
+echo "beats of the last minute: $(tail -n 1 "$folder/beats")"
+python3 - "$(tail -n 1 "$folder/beats")" <<'EOF' || wrong "a target misses beats, or gets one twice"
+import json, sys
+told = json.loads(sys.argv[1])
+sys.exit(not all(told[name]["came"] > 80 and told[name]["left_out"] == told[name]["twice"] == 0
+                 for name in ("osc", "os2l", "wled")) or told["vmc_frames"] < 2000)
+EOF
+echo "OSC against the clicks at the monitor, which hears them some milliseconds late: $(cat "$folder/landing")"
+python3 -c 'import json, sys; sys.exit(json.load(open(sys.argv[1]))["deviation_p99_ms"] > 5)' "$folder/landing" ||
+    wrong "beats arrive at changing distances from the clicks"
+echo "MIDI clocks: $(grep -c "^CLK" "$folder/clock"), the last: $(tail -n 2 "$folder/clock" | head -n 1)"
+tail -n 2 "$folder/clock" | grep -q "flt: *12[78]\." || wrong "the MIDI clock is not that of the music"
+[ -z "$(grep "nobody listens there\|closed the connection\|reset by peer" "$folder/play.err" | sort | uniq -d)" ] ||
     wrong "a lost peer is said more than once"
 [ -z "${disk_trouble:-}" ] || wrong "with a full disk $disk_trouble"
 [ $live_code -eq 130 ] && [ $play_code -eq 130 ] || wrong "exit codes $live_code and $play_code, not 130"

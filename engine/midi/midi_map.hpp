@@ -106,7 +106,7 @@ class MidiReader {
     void note(const MidiMessage& message);
 
  private:
-    static constexpr std::size_t kControls = 16 * 128;  // controllers of all channels
+    static constexpr std::size_t kControls = std::size_t{16} * 128;  // controllers of all channels
     static constexpr int kUnknown = -1;
 
     [[nodiscard]] static std::size_t place_of(const MidiMessage& message) noexcept;

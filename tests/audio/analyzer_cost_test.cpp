@@ -1,4 +1,4 @@
-// What the analysis costs, in instructions: 20 s of montuno, fast music with all instruments.
+// What the analysis costs, in instructions: 10 s of montuno, fast music with all instruments.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@
 namespace raks::audio {
 namespace {
 
-constexpr double kSeconds = 20.0;
+constexpr double kSeconds = 10.0;
 
 // The samples of RAKS_TEST_FILE, 10 ms at a time.
 void analyze(const AnalyzerConfig& config) {
@@ -56,18 +56,20 @@ TEST(AnalyzerCost, without_genre_is_under_60_million_instructions_a_second) {
     if (const std::string reason = raks::test::no_instruction_count(); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
-    const long long instructions = instructions_of("AnalyzerCost.DISABLED_without_genre");
-    EXPECT_LT(instructions, 1'200'000'000);
-    EXPECT_GT(instructions, 100'000'000) << "was it counted?";
+    const auto instructions =
+        static_cast<double>(instructions_of("AnalyzerCost.DISABLED_without_genre"));
+    EXPECT_LT(instructions, kSeconds * 60e6);
+    EXPECT_GT(instructions, kSeconds * 5e6) << "was it counted?";
 }
 
 TEST(AnalyzerCost, with_genre_is_under_70_million_instructions_a_second) {
     if (const std::string reason = raks::test::no_instruction_count(); !reason.empty()) {
         GTEST_SKIP() << reason;
     }
-    const long long instructions = instructions_of("AnalyzerCost.DISABLED_with_genre");
-    EXPECT_LT(instructions, 1'400'000'000);
-    EXPECT_GT(instructions, 100'000'000) << "was it counted?";
+    const auto instructions =
+        static_cast<double>(instructions_of("AnalyzerCost.DISABLED_with_genre"));
+    EXPECT_LT(instructions, kSeconds * 70e6);
+    EXPECT_GT(instructions, kSeconds * 5e6) << "was it counted?";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 """Beats sent against beats heard: plays music of one tempo and counts what comes by OSC, OS2L, WLED and lines.
 
 Usage: count_beats.py RAKS MUSIC.wav BPM
-       count_beats.py --listen OSC_PORT WLED_PORT OS2L_PORT    counts what anybody sends, until it is ended
+       count_beats.py --listen BPM OSC_PORT WLED_PORT OS2L_PORT VMC_PORT    counts what anybody sends, until it is ended
 Prints one line of JSON: for each target the beats that came, those that are in the time from the first to the last
-one, and how many came twice (less than half a beat behind another) or were left out.
+one, and how many came twice (less than half a beat behind another) or were left out; of VMC the frames that came.
 """
 import json
 import signal
@@ -44,6 +44,12 @@ def hear_os2l(server, beats):
             beats.append(time.monotonic())
 
 
+def hear_vmc(receiver, frames):
+    while True:
+        if b"/VMC/Ext/OK\0" in receiver.recv(2048):
+            frames.append(time.monotonic())
+
+
 def summary(beats, period):
     gaps = [after - before for before, after in zip(beats, beats[1:])]
     return {"came": len(beats), "expected": round((beats[-1] - beats[0]) / period) + 1 if beats else 0,
@@ -53,17 +59,21 @@ def summary(beats, period):
 
 def main():
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM} if sys.argv[1] == "--listen" else set())
-    ports = [int(port) for port in sys.argv[2:5]] if sys.argv[1] == "--listen" else [0, 0, 0]
+    ports = [int(port) for port in sys.argv[3:7]] if sys.argv[1] == "--listen" else [0, 0, 0, 0]
     osc, osc_port = listen(socket.SOCK_DGRAM, ports[0])
     wled, wled_port = listen(socket.SOCK_DGRAM, ports[1])
     os2l, os2l_port = listen(socket.SOCK_STREAM, ports[2])
     os2l.listen()
+    vmc, _ = listen(socket.SOCK_DGRAM, ports[3])
+    frames = []
+    threading.Thread(target=hear_vmc, args=(vmc, frames), daemon=True).start()
     beats = {"osc": [], "os2l": [], "wled": [], "lines": []}
     for hear, receiver, name in ((hear_osc, osc, "osc"), (hear_wled, wled, "wled"), (hear_os2l, os2l, "os2l")):
         threading.Thread(target=hear, args=(receiver, beats[name]), daemon=True).start()
     if sys.argv[1] == "--listen":
         signal.sigwait({signal.SIGTERM, signal.SIGINT})
-        print(json.dumps({name: len(all_of) for name, all_of in beats.items() if name != "lines"}), flush=True)
+        counted = {name: summary(all_of, 60 / float(sys.argv[2])) for name, all_of in beats.items() if name != "lines"}
+        print(json.dumps({**counted, "vmc_frames": len(frames)}), flush=True)
         return
     raks, music, bpm = sys.argv[1:4]
     program = subprocess.Popen(

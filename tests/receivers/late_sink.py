@@ -1,6 +1,7 @@
 """OSC's beats against the clicks that come out of a sink, and out of one that is 300 ms late, on PulseAudio.
 
 Usage: late_sink.py RAKS CLICKS.wav [SECONDS]
+       late_sink.py --running SINK OSC_PORT SECONDS    of a program that plays clicks on a sink already
 Starts two PulseAudio servers, plays the clicks on a sink of the first, then on one that sends to the second, and
 records both from their monitors. A monitor gives a sample some milliseconds after it sounds, the same for both:
 so what counts is by how much the two means differ. Prints one line of JSON, in milliseconds.
@@ -67,21 +68,18 @@ def hear(receiver, beats):
             beats.append(time.monotonic())
 
 
-def measure(raks, music, server, monitor, seconds):
+def listen(port=0):
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-    receiver.bind(("127.0.0.1", 0))
+    receiver.bind(("127.0.0.1", port))
     beats = []
     threading.Thread(target=hear, args=(receiver, beats), daemon=True).start()
-    show = subprocess.Popen([raks, "play", "--headless", "--repeat", music, "--audio-system", "pulse",
-                             "--osc", f"127.0.0.1:{receiver.getsockname()[1]}"],
-                            env={**os.environ, "PULSE_SERVER": server, "JACK_NO_START_SERVER": "1"},
-                            stderr=subprocess.DEVNULL)
-    time.sleep(SETTLED + seconds)
-    show.send_signal(signal.SIGINT)
-    show.wait()
+    return receiver, beats
+
+
+def deviation(beats, monitor, settling):
     monitor.recorder.kill()
     clicks = monitor.clicks()
-    settled = [beat for beat in beats[:-1] if beat > beats[0] + SETTLED]
+    settled = [beat for beat in beats[:-1] if beat > beats[0] + settling]
     late = [min((beat - click for click in clicks), key=abs) for beat in settled]
     mean = statistics.mean(late)
     off = sorted(abs(value - mean) for value in late)
@@ -89,7 +87,29 @@ def measure(raks, music, server, monitor, seconds):
             "deviation_p99_ms": round(1e3 * off[int(0.99 * (len(off) - 1))], 1)}
 
 
+def measure(raks, music, server, monitor, seconds):
+    receiver, beats = listen()
+    show = subprocess.Popen([raks, "play", "--headless", "--repeat", music, "--audio-system", "pulse",
+                             "--osc", f"127.0.0.1:{receiver.getsockname()[1]}"],
+                            env={**os.environ, "PULSE_SERVER": server, "JACK_NO_START_SERVER": "1"},
+                            stderr=subprocess.DEVNULL)
+    time.sleep(SETTLED + seconds)
+    show.send_signal(signal.SIGINT)
+    show.wait()
+    return deviation(beats, monitor, SETTLED)
+
+
 def main():
+    if sys.argv[1] == "--running":
+        _, beats = listen(int(sys.argv[3]))
+        monitor = Monitor(os.environ["PULSE_SERVER"], sys.argv[2])
+        time.sleep(1)
+        beats.clear()  # The monitor has begun.
+        time.sleep(float(sys.argv[4]))
+        heard = list(beats)
+        time.sleep(0.5)
+        print(json.dumps(deviation(heard, monitor, 0)))
+        return
     raks, music = sys.argv[1:3]
     seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 30.0
     with tempfile.TemporaryDirectory() as folder:

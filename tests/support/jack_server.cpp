@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace raks::test {
@@ -24,16 +25,18 @@ void remove_shared_memory(const std::string& part) {
     }
 }
 
+/// A file of that name among the temporary ones, open; -1 where that cannot be.
+int open_lock(const std::string& name) {
+    return open((std::filesystem::temp_directory_path() / name).c_str(),
+                O_CREAT | O_RDWR | O_CLOEXEC,
+                0666);
+}
+
 /// While one lives, no other test starts a server: two that start at once disturb each other in
 /// JACK's registry, and neither answers.
 class OneStartAtATime {
  public:
-    OneStartAtATime()
-        : file_(open((std::filesystem::temp_directory_path() / "raks-test-jack-start").c_str(),
-                     O_CREAT | O_RDWR | O_CLOEXEC,
-                     0666)) {
-        flock(file_, LOCK_EX);
-    }
+    OneStartAtATime() : file_(open_lock("raks-test-jack-start")) { flock(file_, LOCK_EX); }
     ~OneStartAtATime() { close(file_); }
     OneStartAtATime(const OneStartAtATime&) = delete;
     OneStartAtATime& operator=(const OneStartAtATime&) = delete;
@@ -45,20 +48,43 @@ class OneStartAtATime {
 /// For sure: pgrep says 1 when it finds none.
 bool is_no_server_running() { return exit_code_of({"pgrep", "-x", "jackd|jackdbus"}) == 1; }
 
+/// The first line that the server said: an error comes before its greeting.
+std::string first_line_of(const std::string& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
 }  // namespace
 
+// JACK's registry has places for eight servers, and one that was killed keeps its own until a
+// server of its name starts. So all tests share six names.
+ServerName::ServerName() {
+    constexpr int kNames = 6;
+    for (int i = 0;; i = (i + 1) % kNames) {
+        name_ = "raks-test-" + std::to_string(i);
+        lock_ = open_lock(name_);
+        if (lock_ < 0 || flock(lock_, LOCK_EX | (i + 1 < kNames ? LOCK_NB : 0)) == 0) {
+            return;
+        }
+        close(lock_);
+    }
+}
+
+ServerName::~ServerName() { close(lock_); }
+
 JackServer::JackServer(int rate, int period, int priority) : priority_(priority) {
-    static int count = 0;
-    name_ = "raks-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
-    setenv("JACK_DEFAULT_SERVER", name_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
-    setenv("JACK_NO_START_SERVER", "1", 1);           // NOLINT(concurrency-mt-unsafe)
+    setenv("JACK_DEFAULT_SERVER", name().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    setenv("JACK_NO_START_SERVER", "1", 1);            // NOLINT(concurrency-mt-unsafe)
     for (const char* scheduling : {"SCHED_FIFO", "normal"}) {
         scheduling_ = scheduling;
         if (start(rate, period)) {
             return;
         }
     }
-    // JACK has places for eight servers, and one that was killed keeps its own: start afresh.
+    // Servers of other names were killed until no place was left: start afresh.
+    process_.reset();
     if (is_no_server_running()) {
         remove_shared_memory("jack-shm-registry");
         if (start(rate, period)) {
@@ -66,19 +92,22 @@ JackServer::JackServer(int rate, int period, int priority) : priority_(priority)
         }
     }
     process_.reset();
-    problem_ = "jackd -d dummy does not start (is the package jackd2 installed?)";
+    problem_ =
+        "jackd -d dummy does not start (is the package jackd2 installed?): " + first_line_of(log());
 }
 
 JackServer::~JackServer() {
-    if (was_killed_ && start(48'000, 256)) {
-        process_->end(SIGTERM);  // a server of the same name takes the place over and gives it back
-        remove_shared_memory(name_ + "_");
-    }
+    process_.reset();
+    remove_shared_memory(name() + "_");
+}
+
+std::string JackServer::log() const {
+    return (std::filesystem::temp_directory_path() / (name() + ".log")).string();
 }
 
 bool JackServer::start(int rate, int period) {
     const OneStartAtATime alone;
-    std::vector<std::string> command{"jackd", "-n", name_};
+    std::vector<std::string> command{"jackd", "-n", name()};
     if (scheduling_ == "SCHED_FIFO") {
         command.insert(command.end(), {"-R", "-P" + std::to_string(priority_)});
     } else {
@@ -86,28 +115,24 @@ bool JackServer::start(int rate, int period) {
     }
     command.insert(command.end(),
                    {"-d", "dummy", "-r", std::to_string(rate), "-p", std::to_string(period)});
-    process_ = std::make_unique<ChildProcess>(command, "/dev/null");
-    return exit_code_of({"jack_wait", "-s", name_, "-w", "-t", "5"}) == 0 &&
-           exit_code_of({"jack_lsp", "-s", name_}) == 0;
+    process_ = std::make_unique<ChildProcess>(command, log());
+    return exit_code_of({"jack_wait", "-s", name(), "-w", "-t", "15"}) == 0 &&
+           exit_code_of({"jack_lsp", "-s", name()}) == 0;
 }
 
 bool JackServer::connect(const std::string& from, const std::string& to) const {
-    return exit_code_of({"jack_connect", "-s", name_, from, to}) == 0;
+    return exit_code_of({"jack_connect", "-s", name(), from, to}) == 0;
 }
 
 bool JackServer::disconnect(const std::string& from, const std::string& to) const {
-    return exit_code_of({"jack_disconnect", "-s", name_, from, to}) == 0;
+    return exit_code_of({"jack_disconnect", "-s", name(), from, to}) == 0;
 }
 
-bool JackServer::restart(int rate, int period) {
-    was_killed_ = false;
-    return start(rate, period);
-}
+bool JackServer::restart(int rate, int period) { return start(rate, period); }
 
 void JackServer::kill() {
     if (process_) {
         process_->end(SIGKILL);
-        was_killed_ = true;
     }
 }
 

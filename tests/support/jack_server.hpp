@@ -7,10 +7,23 @@
 
 namespace raks::test {
 
+/// A name that no other test's server has as long as this lives.
+class ServerName {
+ public:
+    ServerName();
+    ~ServerName();
+    ServerName(const ServerName&) = delete;
+    ServerName& operator=(const ServerName&) = delete;
+
+    [[nodiscard]] const std::string& get() const noexcept { return name_; }
+
+ private:
+    std::string name_;
+    int lock_ = -1;
+};
+
 /// A JACK server of our own with the dummy driver, real-time where that is allowed: real streams
-/// without a sound card. Let its destructor run, also when the server was killed: JACK's registry
-/// has eight places, and a dead server's is given back there. Points this process (and its
-/// children) to it by JACK_DEFAULT_SERVER.
+/// without a sound card. Points this process (and its children) to it by JACK_DEFAULT_SERVER.
 ///
 ///     JackServer jack;
 ///     ASSERT_EQ(jack.problem(), "");
@@ -39,12 +52,14 @@ class JackServer {
 
  private:
     [[nodiscard]] bool start(int rate, int period);
+    [[nodiscard]] const std::string& name() const noexcept { return name_.get(); }
+    /// What the server said is there.
+    [[nodiscard]] std::string log() const;
 
-    std::string name_;
+    ServerName name_;
     int priority_;
     std::string scheduling_;
     std::string problem_;
-    bool was_killed_ = false;
     std::unique_ptr<ChildProcess> process_;
 };
 
