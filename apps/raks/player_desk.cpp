@@ -49,6 +49,8 @@ std::vector<std::string> PlayerDesk::look(engine::LiveGraph& graph,
                                           engine::Outputs& outputs) {
     if (!listens(graph)) {
         watch_.reset();
+        leave(graph);
+        known_.reset();
         if (std::exchange(now_, {}) != engine::NowPlaying{}) {
             outputs.name_song({});
         }
@@ -56,16 +58,27 @@ std::vector<std::string> PlayerDesk::look(engine::LiveGraph& graph,
     }
     if (!watch_) {
         watch_ = engine::PlayerWatch::open();
+        known_ = std::make_unique<engine::KnownSong>(models);
     }
     std::vector<engine::PlayerEvent> events = watch_->take_events();
-    if (events.empty() && !std::exchange(is_told_, true) && !now_.player.empty()) {
-        events.push_back({PlayerKind::told, now_});
+    if (!std::exchange(is_told_, true)) {
+        graph.analysis().set_tap(engine::AnalysisStage::Listener::known_song, &known_->tap());
+        file_.clear();
+        if (events.empty() && !now_.player.empty()) {
+            events.push_back({PlayerKind::told, now_});
+        }
     }
     for (engine::PlayerEvent& event : events) {
         now_ = std::move(event.now);
         // A full queue: the next news counts again.
         static_cast<void>(graph.tell(news_of(event.kind, told_song(models, now_.tags))));
+        follow_file(graph, event.kind);
         outputs.name_song({now_.tags.title, now_.tags.artist});
+    }
+    if (const auto heard = known_->take()) {
+        graph.follow_song(heard->plan, heard->shift);
+        say_detail(now_.tags.title + (heard->plan ? ": its file is known ahead, and followed"
+                                                  : ": its file is not heard any more"));
     }
     std::vector<std::string> lines = watch_->take_lines();
     if (!asked_) {
@@ -75,6 +88,25 @@ std::vector<std::string> PlayerDesk::look(engine::LiveGraph& graph,
         }
     }
     return lines;
+}
+
+// A song that begins, or goes on elsewhere, is sought anew; what is said more of it is not.
+void PlayerDesk::follow_file(engine::LiveGraph& graph, PlayerKind kind) {
+    const bool plays = now_.status == engine::PlayStatus::playing;
+    const std::string file = plays ? now_.file : std::string();
+    if (kind == PlayerKind::told && file == file_) {
+        return;
+    }
+    // Its plan ends at once; the sound of another song would be danced to by it.
+    graph.follow_song(nullptr, {});
+    known_->listen(file, kind == PlayerKind::begins);
+    file_ = file;
+}
+
+void PlayerDesk::leave(engine::LiveGraph& graph) noexcept {
+    if (known_ && graph.is_input()) {
+        graph.analysis().set_tap(engine::AnalysisStage::Listener::known_song, nullptr);
+    }
 }
 
 std::string PlayerDesk::title() const { return audio::title_line(now_.tags, {}); }

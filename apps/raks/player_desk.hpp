@@ -8,6 +8,7 @@
 #include "base/expected.hpp"
 #include "engine/live/live_graph.hpp"
 #include "engine/outputs/outputs.hpp"
+#include "engine/players/known_song.hpp"
 #include "engine/players/player_watch.hpp"
 #include "engine/remote/remote_message.hpp"
 #include "engine/setup/analyzer_setup.hpp"
@@ -31,6 +32,8 @@ class PlayerDesk {
                                                 engine::Outputs& outputs);
     /// Another graph begins: what is known is handed to it with the next look().
     void begin_anew() noexcept { is_told_ = false; }
+    /// This graph ends.
+    void leave(engine::LiveGraph& graph) noexcept;
 
     /// "Title (Artist)"; empty: nothing is known.
     [[nodiscard]] std::string title() const;
@@ -42,10 +45,14 @@ class PlayerDesk {
     [[nodiscard]] engine::RemoteSong song() const;
 
  private:
+    void follow_file(engine::LiveGraph& graph, engine::PlayerEvent::Kind kind);
+
     explicit PlayerDesk(std::optional<bool> asked) : asked_(asked) {}
 
     std::optional<bool> asked_;
     std::unique_ptr<engine::PlayerWatch> watch_;  // null: not needed yet
+    std::unique_ptr<engine::KnownSong> known_;    // likewise
+    std::string file_;                            // that it listens for; empty: none
     engine::NowPlaying now_;
     bool is_told_ = false;  // the graph knows of now_
 };

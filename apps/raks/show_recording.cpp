@@ -36,7 +36,7 @@ void ShowRecording::follow(engine::LiveGraph& graph) {
         stage_->begin_anew();
         tap_->set_source(++source_);
         recorder_->follow(source_);
-        graph.analysis().set_tap(tap_.get());
+        graph.analysis().set_tap(engine::AnalysisStage::Listener::recording, tap_.get());
     }
 }
 
@@ -78,7 +78,7 @@ std::optional<std::string> ShowRecording::take_trouble() {
 
 std::string ShowRecording::stop(engine::LiveGraph* graph) {
     if (graph != nullptr) {
-        graph->analysis().set_tap(nullptr);
+        graph->analysis().set_tap(engine::AnalysisStage::Listener::recording, nullptr);
     }
     const std::unique_ptr<Recorder> ended = std::exchange(recorder_, nullptr);
     return ended ? ended->stop() : std::string();

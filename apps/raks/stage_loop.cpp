@@ -308,6 +308,7 @@ StageEnd StageLoop::run(engine::LiveGraph& graph, const StageSource& source) {
     const StageEnd end = run_until_end(graph);
     // Nothing is asked of a graph that has gone.
     live_actions_.detach();
+    players_->leave(graph);
     graph_ = nullptr;
     source_ = {};
     return end;

@@ -68,9 +68,11 @@ float AnalysisStage::level_dbfs(HostTime now) const noexcept RAKS_NONBLOCKING {
 
 void AnalysisStage::pass_on(std::span<const float> interleaved,
                             std::size_t channels) noexcept RAKS_NONBLOCKING {
-    // acquire: pairs with the release in set_tap().
-    if (SoundTap* const tap = tap_.load(std::memory_order_acquire)) {
-        tap->put(taken_until(), rate_, interleaved, channels);
+    for (const std::atomic<SoundTap*>& place : taps_) {
+        // acquire: pairs with the release in set_tap().
+        if (SoundTap* const tap = place.load(std::memory_order_acquire)) {
+            tap->put(taken_until(), rate_, interleaved, channels);
+        }
     }
 }
 
@@ -101,6 +103,7 @@ void AnalysisStage::skip(std::int64_t frames) noexcept RAKS_NONBLOCKING {
 
 // Counted from the first of them on: samples of a hop need not be a whole number.
 void AnalysisStage::pass_blind_hop() noexcept RAKS_NONBLOCKING {
+    take_news();
     run_commands();
     const StreamTime taken = taken_until();
     // Less than a sample apart: this hop follows the one before.
@@ -142,6 +145,12 @@ void AnalysisStage::take_news() noexcept {
                 break;
             case SongNews::Kind::pause:
                 analyzer_.announce_pause();
+                break;
+            case SongNews::Kind::known:
+                planned_.follow(*news.plan, taken_until(), news.shift);
+                break;
+            case SongNews::Kind::unknown:
+                planned_.leave();
                 break;
         }
     }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -27,13 +29,17 @@ namespace raks::engine {
 struct SongNews {
     /// What has happened.
     enum class Kind : std::uint8_t {
-        told,    ///< `song` is known of what plays: MusicAnalyzer::tell()
-        begins,  ///< another song begins, of which `song` is known: MusicAnalyzer::begin_song()
-        jump,    ///< the same song goes on elsewhere: MusicAnalyzer::skip() with 0
-        pause,   ///< MusicAnalyzer::announce_pause()
+        told,     ///< `song` is known of what plays: MusicAnalyzer::tell()
+        begins,   ///< another song begins, of which `song` is known: MusicAnalyzer::begin_song()
+        jump,     ///< the same song goes on elsewhere: MusicAnalyzer::skip() with 0
+        pause,    ///< MusicAnalyzer::announce_pause()
+        known,    ///< the song is one with `plan`: PlannedStates::follow()
+        unknown,  ///< it is not any more: PlannedStates::leave()
     };
-    Kind kind = Kind::told;  ///< see Kind
-    audio::ToldSong song{};  ///< of `told` and `begins`
+    Kind kind = Kind::told;                 ///< see Kind
+    audio::ToldSong song{};                 ///< of `told` and `begins`
+    const audio::SongPlan* plan = nullptr;  ///< of `known`: see LiveGraph::follow_song()
+    Nanos shift{};                          ///< of `known`: place in the song minus stream time
 };
 
 /// The work of every audio callback, whatever device or clock calls it: analyzes the samples, hands
@@ -56,8 +62,12 @@ class AnalysisStage {
     /// Real-time: yes.
     void pass_on(std::span<const float> interleaved,
                  std::size_t channels) noexcept RAKS_NONBLOCKING;
-    /// Who keeps it, from now on; null: nobody. It must outlive this object.
-    void set_tap(SoundTap* tap) noexcept { tap_.store(tap, std::memory_order_release); }
+    /// Who listens to the sound that passes.
+    enum class Listener : std::uint8_t { recording, known_song };
+    /// Who keeps it, from now on; null: nobody. It must outlive this object, or the next call.
+    void set_tap(Listener listener, SoundTap* tap) noexcept {
+        taps_[static_cast<std::size_t>(listener)].store(tap, std::memory_order_release);
+    }
 
     /// *audio* The sample of stream time `stream` passed the device at `host` (CLOCK_MONOTONIC).
     /// Real-time: yes.
@@ -152,7 +162,7 @@ class AnalysisStage {
     LatestValue<ClockLine> clock_line_;
     std::shared_ptr<MusicFeed> feed_ = std::make_shared<MusicFeed>();
     TimingHistogram callback_times_;
-    std::atomic<SoundTap*> tap_{nullptr};
+    std::array<std::atomic<SoundTap*>, 2> taps_{};  // by Listener
     std::atomic<std::int64_t> frames_taken_{0};
     std::atomic<float> level_dbfs_{-120.0F};  // at level_at_ns_
     std::atomic<std::int64_t> level_at_ns_{0};

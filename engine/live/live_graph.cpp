@@ -360,6 +360,18 @@ bool LiveGraph::command(audio::AnalyzerCommand::Kind kind, double value, HostTim
     return analysis_->command({kind, moment_at(came), value});
 }
 
+bool LiveGraph::follow_song(std::shared_ptr<const audio::SongPlan> plan, Nanos shift) {
+    if (plan == nullptr) {
+        return tell({.kind = SongNews::Kind::unknown});
+    }
+    const bool is_told = tell({.kind = SongNews::Kind::known, .plan = plan.get(), .shift = shift});
+    if (is_told) {
+        std::rotate(heard_plans_.begin(), heard_plans_.end() - 1, heard_plans_.end());
+        heard_plans_.front() = std::move(plan);
+    }
+    return is_told;
+}
+
 bool LiveGraph::command(motion::DancerCommand::Kind kind, double value) noexcept {
     return motion_ && motion_->command({kind, moment_at(HostClock::now()), value});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -163,6 +164,10 @@ class LiveGraph {
         analysis_->planned().set_plan(std::move(plan), beginning);
     }
 
+    /// The input hears a song with this plan, whose places are `shift` after the stream's time;
+    /// null: it does not any more. False: the queue is full.
+    bool follow_song(std::shared_ptr<const audio::SongPlan> plan, Nanos shift);
+
     /// Other dancers take over at once. Errors: those of Ensemble::prepare; the queue of orders is
     /// full.
     [[nodiscard]] Expected<void> replace_dancers(
@@ -204,6 +209,8 @@ class LiveGraph {
     std::unique_ptr<LiveInput> live_input_;
     AnalysisStage* analysis_ = nullptr;  // of playback_ or live_input_
     MusicState newest_music_;            // where nobody dances
+    // The last plans of follow_song(): the audio thread may not have taken the newest yet.
+    std::array<std::shared_ptr<const audio::SongPlan>, 4> heard_plans_;
     std::unique_ptr<StageChannel> for_main_;
     std::unique_ptr<MotionThread> motion_;  // null: nobody dances
     std::unique_ptr<PacedClock> paced_clock_;

@@ -18,6 +18,16 @@ void PlannedStates::set_plan(std::shared_ptr<const audio::SongPlan> plan, Beginn
     active_.store(plan_.get(), std::memory_order_release);  // pairs with the acquire in at()
 }
 
+// Of the audio thread's own: nobody else stores here then.
+void PlannedStates::follow(const audio::SongPlan& plan,
+                           StreamTime stream,
+                           Nanos shift) noexcept RAKS_NONBLOCKING {
+    set_place(stream, stream + shift);
+    if (active_.exchange(&plan, std::memory_order_relaxed) != &plan) {
+        is_following_.store(false, std::memory_order_relaxed);  // its beats are numbered anew
+    }
+}
+
 void PlannedStates::set_place(StreamTime stream, StreamTime place) noexcept RAKS_NONBLOCKING {
     const Nanos shift = place - stream;
     if (std::chrono::abs(shift - shift_) >= kLeastSeek) {

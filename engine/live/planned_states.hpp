@@ -14,6 +14,9 @@ namespace raks::engine {
 /// the first hop on or, where the plan comes later, from the next of SongPlan::joins. Beat numbers
 /// go on, and downbeats stay downbeats, where the plan begins and after a seek.
 ///
+/// An input hears one song after the other: whoever knows which one, and where in it, says so by
+/// follow() and leave().
+///
 /// Threads: set_plan from main; what is marked *audio* from the audio callback.
 class PlannedStates {
  public:
@@ -23,8 +26,17 @@ class PlannedStates {
         on_bar_line,  ///< when the song comes to one of SongPlan::joins
     };
 
-    /// Follows this plan, not null, from here on. At most one plan in the life of this object.
+    /// Follows this plan, not null, from here on. At most once in the life of this object.
     void set_plan(std::shared_ptr<const audio::SongPlan> plan, Beginning beginning);
+
+    /// *audio* The stream is a song with this plan, whose places are `shift` after the stream's
+    /// time. It must outlive this, or the next follow() or leave(). Not together with set_plan().
+    /// Real-time: yes.
+    void follow(const audio::SongPlan& plan,
+                StreamTime stream,
+                Nanos shift) noexcept RAKS_NONBLOCKING;
+    /// *audio* It is not any more: what is found counts again. Real-time: yes.
+    void leave() noexcept RAKS_NONBLOCKING { active_.store(nullptr, std::memory_order_relaxed); }
 
     /// *audio* The next sample, at stream time `stream`, is that at `place` of the song.
     /// Real-time: yes.

@@ -111,7 +111,7 @@ void PlayerList::follow(const std::string& name,
         now_.status == PlayStatus::playing && is_same_music(now_.tags, player.song.tags);
     followed_ = name;
     heard_ = player.song;
-    now_ = {player_name(name), player.status, player.song.tags};
+    now_ = {player_name(name), player.status, player.song.tags, player.song.file};
     if (is_witnessed && !is_same) {
         began_ = now;
         happen(PlayerEvent::Kind::begins);
@@ -124,6 +124,7 @@ void PlayerList::follow(const std::string& name,
 void PlayerList::go_on(const Player& before, const Player& player, HostTime now) {
     now_.status = player.status;
     now_.tags = player.song.tags;
+    now_.file = player.song.file;
     const bool plays = player.status == PlayStatus::playing;
     const bool played = before.status == PlayStatus::playing;
     const bool is_other = plays && is_other_song(heard_, player.song);

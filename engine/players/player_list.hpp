@@ -19,7 +19,8 @@ enum class PlayStatus : std::uint8_t { stopped, paused, playing };
 /// What a player says of a song.
 struct PlayerSong {
     std::uint64_t key =
-        0;  ///< hash of what the player calls it and where it lies; 0: it does not say
+        0;               ///< hash of what the player calls it and where it lies; 0: it does not say
+    std::string file{};  ///< path, where it says that it plays a local file; nobody has looked
     audio::AudioTags tags{};  ///< cleaned and cut, as those of a file
 
     friend bool operator==(const PlayerSong&, const PlayerSong&) = default;
@@ -36,6 +37,7 @@ struct NowPlaying {
     std::string player{};                     ///< "mpv"; empty: none
     PlayStatus status = PlayStatus::stopped;  ///< of it
     audio::AudioTags tags{};                  ///< of its song
+    std::string file{};                       ///< likewise
 
     friend bool operator==(const NowPlaying&, const NowPlaying&) = default;
 };

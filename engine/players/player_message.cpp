@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
 #include <system_error>
 
@@ -143,8 +144,18 @@ bool read_song(sd_bus_message* message, PlayerSong& song) {
         });
     if (!names[0].empty() || !names[1].empty()) {
         song.key = hash_of(names[1], hash_of(names[0]));
+        song.file = local_file_of(names[1]);
     }
     return is_read;
+}
+
+std::optional<char> character_of(std::string_view two_digits) {
+    unsigned value = 0;
+    const char* const end = two_digits.data() + two_digits.size();
+    const auto [stopped, error] = std::from_chars(two_digits.data(), end, value, 16);
+    return two_digits.size() == 2 && error == std::errc() && stopped == end && value != 0
+               ? std::optional(static_cast<char>(value))
+               : std::nullopt;
 }
 
 std::optional<PlayStatus> status_of(std::string_view word) {
@@ -155,6 +166,35 @@ std::optional<PlayStatus> status_of(std::string_view word) {
 }
 
 }  // namespace
+
+// RFC 8089 with an empty authority, or this machine's; RFC 3986 for what is percent-encoded.
+std::string local_file_of(std::string_view url) {
+    constexpr std::string_view kScheme = "file://";
+    if (!url.starts_with(kScheme)) {
+        return {};
+    }
+    url.remove_prefix(kScheme.size());
+    if (constexpr std::string_view kHost = "localhost"; url.starts_with(kHost)) {
+        url.remove_prefix(kHost.size());
+    }
+    if (!url.starts_with('/')) {
+        return {};
+    }
+    std::string path;
+    for (std::size_t i = 0; i < url.size(); ++i) {
+        if (url[i] != '%') {
+            path += url[i];
+            continue;
+        }
+        const auto character = character_of(url.substr(i + 1, 2));
+        if (!character) {
+            return {};
+        }
+        path += *character;
+        i += 2;
+    }
+    return path;
+}
 
 Expected<PlayerNews> read_player_properties(sd_bus_message* message) {
     PlayerNews news;

@@ -63,6 +63,23 @@ TEST(PlayerMessage, is_cleaned_and_cut) {
     EXPECT_LE(cut->song->tags.genre.size(), 200U);
 }
 
+TEST(PlayerMessage, knows_local_files_by_their_urls) {
+    EXPECT_EQ(local_file_of("file:///music/La%20vida%20%C3%A9s.flac"),
+              "/music/La vida \xC3\xA9s.flac");
+    EXPECT_EQ(local_file_of("file://localhost/a.wav"), "/a.wav");
+    for (const char* url : {"",
+                            "/a.wav",
+                            "http://host/a.wav",
+                            "file://host/a.wav",
+                            "file:a.wav",
+                            "file:///a%",
+                            "file:///a%4",
+                            "file:///a%zz",
+                            "file:///a%00b"}) {
+        EXPECT_EQ(local_file_of(url), "") << url;
+    }
+}
+
 TEST(PlayerMessage, names_what_has_changed) {
     const auto body = read_file(
         std::string(RAKS_SOURCE_DIR) + "/tests/fuzz/corpus/player_message/paused.bin", 10'000);
