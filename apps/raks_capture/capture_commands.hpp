@@ -28,19 +28,22 @@ struct SimulateArguments {
     Path rig;      ///< empty: the studio's
     Path markers;  ///< empty: the shipped set
     bool points = false;
-    bool is_draft = false;      ///< of the films
-    bool is_rig_known = false;  ///< no calibration films
-    Path music;                 ///< that sounds in the room; empty: none
-    bool unique = false;        ///< each marker has a colour of its own
-    int cameras = 6;            ///< of the studio's rig
-    double fps = 0.0;           ///< of the motion; 0: the file's
-    double rate = 0.0;          ///< of the cameras; 0: the motion's
-    double seconds = 0.0;       ///< of the motion to film; 0: all
-    double tempo = 1.0;         ///< how much faster than recorded the dance is danced
+    bool is_draft = false;        ///< of the films
+    bool is_rig_known = false;    ///< no calibration films
+    bool has_no_board = false;    ///< neither calibration films nor a rig
+    bool has_no_markers = false;  ///< films of a dancer in plain clothes
+    Path music;                   ///< that sounds in the room; empty: none
+    bool unique = false;          ///< each marker has a colour of its own
+    int cameras = 6;              ///< of the studio's rig
+    double camera_angle = 0.0;    ///< degrees between neighbours of it; 0: evenly around
+    double fps = 0.0;             ///< of the motion; 0: the file's
+    double rate = 0.0;            ///< of the cameras; 0: the motion's
+    double seconds = 0.0;         ///< of the motion to film; 0: all
+    double tempo = 1.0;           ///< how much faster than recorded the dance is danced
     capture::StudioOptions studio;
     BodyArguments body;
 
-    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known; }
+    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known && !has_no_board; }
     [[nodiscard]] bool has_sound() const { return !points && !music.empty(); }
 };
 /// Films a known dance with cameras that there are not. Errors: those of reading and of the

@@ -211,7 +211,8 @@ Expected<void> DrawnDancer::make_target(const render::PinholeView& view) {
 render::Scene DrawnDancer::stage() const {
     render::Scene scene;
     scene.camera.yaw = 0.0F;  // the lights are those of the room, not of this camera
-    scene.dress = render::Dress::mannequin;
+    // Markers are found best on one plain colour; without them the dancer wears clothes.
+    scene.dress = markers_.markers.empty() ? render::Dress::dancer : render::Dress::mannequin;
     scene.theme = &theme_;
     scene.placed = render::placed_camera(view_);
     return scene;

@@ -24,7 +24,8 @@ namespace raks::apps {
 /// sphere at each marker, drawn by Raks' own renderer at twice the size and reduced; with the lens'
 /// distortion, blur of what moves, gain, colour cast and noise of the sensor, 4:2:0 of the film's
 /// codec, and a sound track as this camera would hear the room by its clock. Picture k is that of
-/// clock.capture_time(k / rate). `motion` must be of the mannequin's body; `clocks`: one a camera.
+/// clock.capture_time(k / rate). Without a marker the dancer wears clothes instead of
+/// one plain colour. `motion` must be of the mannequin's body; `clocks`: one a camera.
 /// Films are FOLDER/CAMERA.mp4, in the order of the cameras.
 /// The same input gives the same films on the same machine. Errors: no OpenGL, a colour that there
 /// is no paint of, a film that cannot be written, stopped.

@@ -28,8 +28,18 @@ namespace {
 
 Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
     if (arguments.rig.empty()) {
-        return arguments.points ? capture::studio_rig(arguments.cameras)
-                                : capture::unlike_cameras_rig(arguments.cameras);
+        if (arguments.camera_angle * arguments.cameras > 360.0) {
+            return fail(
+                fmt::format("--camera-angle {} with {} cameras: goes more than once around "
+                            "the dancer; at most {:.0f} degrees",
+                            arguments.camera_angle,
+                            arguments.cameras,
+                            std::floor(360.0 / arguments.cameras)));
+        }
+        return arguments.points
+                   ? capture::studio_rig(arguments.cameras, 640, 480, arguments.camera_angle)
+                   : capture::unlike_cameras_rig(
+                         arguments.cameras, 1280, 720, arguments.camera_angle);
     }
     auto file = capture::read_rig(arguments.rig);
     if (!file) {
@@ -45,6 +55,9 @@ Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
 }
 
 Expected<capture::MarkerSet> markers_of(const SimulateArguments& arguments) {
+    if (arguments.has_no_markers) {
+        return capture::MarkerSet{};
+    }
     if (arguments.markers.empty()) {
         return capture::default_markers(arguments.unique ? capture::MarkerColours::unique
                                                          : capture::MarkerColours::five);
@@ -158,7 +171,9 @@ CapturePlan plan_of(const SimulateArguments& arguments,
                     double frames_per_second) {
     CapturePlan plan;
     plan.height = 1.714;  // the mannequin's
-    plan.markers = "markers.toml";
+    if (!arguments.has_no_markers) {
+        plan.markers = "markers.toml";
+    }
     plan.frames_per_second = frames_per_second;
     plan.start = 0.0;
     plan.board = studio_board();
@@ -193,15 +208,17 @@ std::vector<std::pair<std::string, std::string>> texts_of(const SimulateArgument
                                                           const capture::Rig& rig,
                                                           const capture::MarkerSet& markers) {
     std::vector<std::pair<std::string, std::string>> texts = {
-        {"markers.toml", capture::marker_set_text(markers)},
-        {"labels.tsv", capture::labels_text(take.labels)},
-        {arguments.points ? "detections.csv" : "truth/detections.csv",
-         capture::observations_text(take.seen)},
         {"truth/clocks.toml", capture::clocks_text(take.clocks)},
-        {"truth/tracks.csv", capture::tracks_text(take.truth)},
         {"truth/rig.toml", capture::rig_text(rig)},
     };
-    if (!arguments.has_board_films()) {
+    if (!arguments.has_no_markers) {
+        texts.emplace_back("markers.toml", capture::marker_set_text(markers));
+        texts.emplace_back("labels.tsv", capture::labels_text(take.labels));
+        texts.emplace_back(arguments.points ? "detections.csv" : "truth/detections.csv",
+                           capture::observations_text(take.seen));
+        texts.emplace_back("truth/tracks.csv", capture::tracks_text(take.truth));
+    }
+    if (!arguments.has_board_films() && !arguments.has_no_board) {
         texts.emplace_back("rig.toml", capture::rig_text(rig));
     }
     if (!arguments.has_sound()) {
@@ -264,6 +281,10 @@ Expected<void> write_plan(const SimulateArguments& arguments,
 std::string expectation(const capture::Rig& rig,
                         const capture::StudioTake& take,
                         const capture::StudioOptions& options) {
+    if (take.truth.places.empty()) {
+        return fmt::format(
+            "{} cameras, {} frames, no markers", rig.cameras.size(), take.truth.frame_count);
+    }
     double views = 0.0;
     for (const capture::MarkerPlace& place : take.truth.places) {
         views += place.views;

@@ -134,16 +134,21 @@ std::vector<Clock> draw_clocks(const Rig& rig, const StudioOptions& options) {
     return clocks;
 }
 
-// A camera of a ring that looks at the dancer.
-Camera on_circle(int index, int cameras, const Lens& lens) {
+// A camera of a ring that looks at the dancer; `apart` as of studio_rig.
+Camera on_circle(int index, int cameras, const Lens& lens, double apart) {
     constexpr double kTurn = 6.283185307179586;
     constexpr double kDistance = 4.0;
-    const double angle = kTurn * (index + 0.5) / cameras;
-    return looking_at(
-        "cam" + std::to_string(index + 1),
-        lens,
-        {kDistance * std::sin(angle), index % 2 == 0 ? 1.55 : 2.25, kDistance * std::cos(angle)},
-        {0.0, 0.95, 0.0});
+    const bool is_even = index % 2 == 0;
+    double angle = kTurn * (index + 0.5) / cameras;
+    double height = is_even ? 1.55 : 2.25;
+    if (apart > 0.0) {
+        angle = kTurn / 360.0 * apart * (index - 0.5 * (cameras - 1));
+        height = is_even ? 1.35 : 1.5;
+    }
+    return looking_at("cam" + std::to_string(index + 1),
+                      lens,
+                      {kDistance * std::sin(angle), height, kDistance * std::cos(angle)},
+                      {0.0, 0.95, 0.0});
 }
 
 std::size_t picture_count(const StudioMotion& motion, double rate) {
@@ -273,17 +278,17 @@ StudioTake film_points(const StudioMotion& motion,
     return take;
 }
 
-Rig studio_rig(int cameras, int width, int height) {
+Rig studio_rig(int cameras, int width, int height, double apart) {
     const double f = 600.0 / 640.0 * width;
     const Lens lens{width, height, f, f, 0.5 * (width - 1), 0.5 * (height - 1), {}};
     Rig rig;
     for (int i = 0; i < cameras; ++i) {
-        rig.cameras.push_back(on_circle(i, cameras, lens));
+        rig.cameras.push_back(on_circle(i, cameras, lens, apart));
     }
     return rig;
 }
 
-Rig unlike_cameras_rig(int cameras, int width, int height) {
+Rig unlike_cameras_rig(int cameras, int width, int height, double apart) {
     Rig rig;
     for (int i = 0; i < cameras; ++i) {
         const double f = 950.0 / 1280.0 * width * (1.0 + 0.04 * std::sin(2.1 * i + 0.7));
@@ -294,7 +299,7 @@ Rig unlike_cameras_rig(int cameras, int width, int height) {
                            0.02 * std::sin(0.9 * i + 1.0),
                            0.0006 * std::sin(3.1 * i),
                            0.0006 * std::cos(1.9 * i)};
-        rig.cameras.push_back(on_circle(i, cameras, lens));
+        rig.cameras.push_back(on_circle(i, cameras, lens, apart));
     }
     return rig;
 }

@@ -58,10 +58,18 @@ struct StudioTake {
 
 /// Six cameras on a circle of 4 m around the dancer, in turn 1.55 and 2.25 m high, that look at
 /// 0.95 m: f 600 pixels at 640 x 480, and in proportion at other widths.
-[[nodiscard]] Rig studio_rig(int cameras = 6, int width = 640, int height = 480);
+/// `apart`: degrees between neighbours, at hand-held height (1.35 and 1.5 m), the middle of them
+/// before the dancer; 0: evenly around. `cameras` * `apart` <= 360.
+[[nodiscard]] Rig studio_rig(int cameras = 6,
+                             int width = 640,
+                             int height = 480,
+                             double apart = 0.0);
 
 /// The same circle with cameras as one has them, no two alike: f 950 pixels at 1280 wide, give or
 /// take 4 %, principal points some pixels off the middle, lenses that bend by some per cent.
-[[nodiscard]] Rig unlike_cameras_rig(int cameras = 6, int width = 1280, int height = 720);
+[[nodiscard]] Rig unlike_cameras_rig(int cameras = 6,
+                                     int width = 1280,
+                                     int height = 720,
+                                     double apart = 0.0);
 
 }  // namespace raks::capture
