@@ -53,8 +53,29 @@ void add_simulate(CommandTable& table) {
     app->add_flag("--unique", arguments->unique, "give each marker a colour of its own");
     app->add_option("--fps", arguments->fps, "frames a second of the motion")
         ->check(in_range(1.0, 1000.0));
-    app->add_option("--rate", arguments->rate, "pictures a second of the cameras")
-        ->check(in_range(1.0, 1000.0));
+    app->add_option(
+           "--rate", arguments->rates, "pictures a second of the cameras, or of one: cam2=24")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app->add_option("--bump",
+                    arguments->bumps,
+                    "somebody bumps into a camera at a second of its film: cam2=12.5")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app->add_option("--rolling-shutter",
+                    arguments->rolling_shutter,
+                    "milliseconds between the first row of a picture and the last")
+        ->check(in_range(0.0, 100.0));
+    app->add_option("--shutter",
+                    arguments->shutter,
+                    "milliseconds for which a picture gathers light: what moves is smeared")
+        ->check(in_range(0.1, 100.0));
+    app->add_option("--light", arguments->light, "light of the room, as a share of the usual")
+        ->check(in_range(0.05, 4.0));
+    app->add_option("--people",
+                    arguments->studio.people,
+                    "2: somebody without markers walks through behind the dancer")
+        ->check(CLI::IsMember({1, 2}));
     app->add_option("--tempo", arguments->tempo, "danced so many times as fast")
         ->check(in_range(0.1, 10.0));
     app->add_option("--duration", arguments->seconds, "seconds to film")

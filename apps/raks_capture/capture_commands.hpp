@@ -37,9 +37,14 @@ struct SimulateArguments {
     int cameras = 6;              ///< of the studio's rig
     double camera_angle = 0.0;    ///< degrees between neighbours of it; 0: evenly around
     double fps = 0.0;             ///< of the motion; 0: the file's
-    double rate = 0.0;            ///< of the cameras; 0: the motion's
-    double seconds = 0.0;         ///< of the motion to film; 0: all
-    double tempo = 1.0;           ///< how much faster than recorded the dance is danced
+    /// Pictures a second: "30" of all cameras, "cam2=24" of one; empty: the motion's.
+    std::vector<std::string> rates;
+    std::vector<std::string> bumps;  ///< "cam2=12.5": when a camera is bumped; seconds
+    double shutter = 0.0;            ///< milliseconds for which a picture gathers light; 0: usual
+    double rolling_shutter = 0.0;    ///< milliseconds from a picture's first row to its last
+    double light = 1.0;              ///< of the room, as a share of the usual
+    double seconds = 0.0;            ///< of the motion to film; 0: all
+    double tempo = 1.0;              ///< how much faster than recorded the dance is danced
     capture::StudioOptions studio;
     BodyArguments body;
 

@@ -107,7 +107,8 @@ void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& compl
     }
     constexpr std::array<std::string_view, 2> kMethods = {"positions", "angles"};
     if (const toml::node* const method = root.get("method")) {
-        plan.is_by_angles = complaints.word(*method, "method", kMethods) == 1;
+        plan.method = complaints.word(*method, "method", kMethods) == 1 ? TrackingMethod::angles
+                                                                        : TrackingMethod::positions;
     }
     plan.music = complaints.text(root, "music");
     plan.markers = complaints.text(root, "markers");
@@ -174,7 +175,10 @@ std::string capture_plan_text(const CapturePlan& plan) {
         text += fmt::format("height = {}\n", plan.height);
     }
     text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
-    text += plan.is_by_angles ? "method = \"angles\"\n" : "";
+    if (plan.method) {
+        text += fmt::format("method = \"{}\"\n",
+                            *plan.method == TrackingMethod::angles ? "angles" : "positions");
+    }
     for (const auto& [key, path] :
          {std::pair("music", &plan.music), std::pair("markers", &plan.markers)}) {
         if (!path->empty()) {
@@ -199,6 +203,14 @@ std::string capture_plan_text(const CapturePlan& plan) {
         }
     }
     return text;
+}
+
+Expected<void> check_cameras(const CapturePlan& plan) {
+    return plan.cameras.size() > 1
+               ? Expected<void>{}
+               : fail(fmt::format("{}: one camera is too few: where something is, two or more "
+                                  "tell; film from two places and name both films",
+                                  plan.file("capture.toml").string()));
 }
 
 Expected<capture::MarkerSet> load_markers(const CapturePlan& plan) {

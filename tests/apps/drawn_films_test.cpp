@@ -168,6 +168,14 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
         const auto found = detect_in_films(films, markers_, labels);
         return found ? "" : found.error().message;
     };
+    // Before a label is blamed, the films are tried in another order.
+    std::vector<CameraFilm> exchanged = films;
+    std::swap(exchanged[0].path, exchanged[2].path);
+    const auto mixed = detect_in_films(exchanged, markers_, clean_.labels);
+    ASSERT_FALSE(mixed);
+    EXPECT_NE(mixed.error().message.find("the film of camera \"cam1\" fits the place of \"cam3\""),
+              std::string::npos)
+        << mixed.error().message;
     const std::string camera = rig_.cameras[0].name;
     const std::string marker = markers_.markers[0].name;
     EXPECT_NE(error_with({"nobody", 0, marker, {5.0, 5.0}}).find("camera \"nobody\""),
