@@ -82,6 +82,17 @@ struct CapturePlan {
 /// A plan as the text of such a file, which reads back to the same values.
 [[nodiscard]] std::string capture_plan_text(const CapturePlan& plan);
 
+/// Whether markers are followed by the angles of a body: as it was said, or else where `films`
+/// cameras are too few to tell markers of one colour apart, and the trunk has the three markers
+/// that a body is found by.
+[[nodiscard]] bool is_body_followed(std::optional<TrackingMethod> said,
+                                    const capture::MarkerSet& markers,
+                                    std::size_t films);
+
+/// That so few cameras cannot follow markers that share colours, not even by a body, in one line;
+/// empty: they can.
+[[nodiscard]] std::string too_few_for_colours(const capture::MarkerSet& markers, std::size_t films);
+
 /// That a capture has cameras enough to tell where something is. Error: it has one.
 [[nodiscard]] Expected<void> check_cameras(const CapturePlan& plan);
 

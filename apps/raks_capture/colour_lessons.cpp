@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -203,6 +204,29 @@ Expected<Taught> taught_in(const CameraFilm& film,
     return taught;
 }
 
+// The labels of a colour that no label of another colour is near: two markers that lie over one
+// another in a picture show the colour of the nearer one. All of them where none is so clear.
+std::vector<LabelPoint> clear_points(const Taught& taught, std::size_t colour) {
+    constexpr double kNear = 10.0;  // pixels
+    const auto is_clear = [&](const LabelPoint& point) {
+        for (std::size_t other = 0; other < taught.points.size(); ++other) {
+            for (const LabelPoint& near : taught.points[other]) {
+                if (other != colour && near.second.picture == point.second.picture &&
+                    glm::distance(near.second.pixel, point.second.pixel) < kNear) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    };
+    std::vector<LabelPoint> clear;
+    std::copy_if(taught.points[colour].begin(),
+                 taught.points[colour].end(),
+                 std::back_inserter(clear),
+                 is_clear);
+    return clear.empty() ? taught.points[colour] : clear;
+}
+
 // How many labels of a camera lie in a film on a colour that others of their colour show, too.
 std::size_t fitting_labels(const CameraFilm& film,
                            const std::string& camera,
@@ -283,7 +307,7 @@ Expected<LearntColours> learn_colours(const CameraFilm& film,
                              " has a label; they are not looked for");
             continue;
         }
-        auto model = learn_from(views, taught->points[colour], options.form, doubts);
+        auto model = learn_from(views, clear_points(*taught, colour), options.form, doubts);
         if (!model) {
             return fail(model.error());
         }

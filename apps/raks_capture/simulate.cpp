@@ -420,6 +420,10 @@ ExitCode simulate(const SimulateArguments& arguments) {
         return fail(std::move(done.error()));
     }
     say(expectation(*rig, take, options));
+    if (const std::string too_few = too_few_for_colours(*markers, rig->cameras.size());
+        !too_few.empty()) {
+        say(too_few);
+    }
     return kExitDone;
 }
 

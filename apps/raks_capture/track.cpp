@@ -126,7 +126,10 @@ std::optional<TrackingMethod> method_of(const TrackArguments& arguments) {
 void say_method(const TrackArguments& arguments,
                 const CapturePlan& plan,
                 const TrackingGiven& given) {
-    if (given.angles && arguments.method.empty() && !plan.method) {
+    const std::string too_few = too_few_for_colours(given.markers, given.seen.films.size());
+    if (!too_few.empty()) {
+        say(too_few);
+    } else if (given.angles && arguments.method.empty() && !plan.method) {
         say(
             fmt::format("{} cameras cannot tell markers of one colour apart by themselves: the "
                         "whole body is followed (--method angles)",

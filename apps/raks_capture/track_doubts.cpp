@@ -86,6 +86,16 @@ std::string floor_doubt(const capture::Tracks& tracks, const capture::MarkerSet&
         upright < -kLying ? "stands on the head" : "lies all the time");
 }
 
+// The share of places that are known in this way; 0 where there are none.
+double share_of(const capture::Tracks& tracks, capture::PlaceSource source) {
+    const auto count = std::count_if(
+        tracks.places.begin(), tracks.places.end(), [source](const capture::MarkerPlace& place) {
+            return place.source == source;
+        });
+    return static_cast<double>(count) /
+           static_cast<double>(std::max<std::size_t>(tracks.places.size(), 1));
+}
+
 // Films that end long before the one that ends last.
 std::vector<std::string> short_films(const capture::Observations& seen,
                                      const std::vector<capture::Clock>& clocks) {
@@ -138,24 +148,22 @@ std::vector<std::string> film_doubts(const capture::Rig& rig,
 }
 
 double lost_share(const capture::Tracks& tracks) {
-    const auto lost = std::count_if(
-        tracks.places.begin(), tracks.places.end(), [](const capture::MarkerPlace& place) {
-            return place.source == capture::PlaceSource::lost;
-        });
-    return static_cast<double>(lost) /
-           static_cast<double>(std::max<std::size_t>(tracks.places.size(), 1));
+    return share_of(tracks, capture::PlaceSource::lost);
 }
 
 std::string too_much_lost(const capture::Tracks& tracks) {
     constexpr double kMostLost = 0.2;
-    const double share = lost_share(tracks);
-    return share <= kMostLost
-               ? std::string()
-               : fmt::format(
-                     "{:.0f} % of the places are lost: no dance can be learnt from these "
-                     "tracks; film with more cameras, or look at report.html for what is "
-                     "not seen",
-                     100.0 * share);
+    constexpr double kMostUnseen = 0.5;
+    const double lost = lost_share(tracks);
+    const double unseen = lost + share_of(tracks, capture::PlaceSource::filled);
+    if (lost <= kMostLost && unseen <= kMostUnseen) {
+        return {};
+    }
+    return fmt::format(
+        "{:.0f} % of the places are lost{}: no dance can be learnt from these "
+        "tracks; film with more cameras, or look at report.html for what is not seen",
+        100.0 * (lost > kMostLost ? lost : unseen),
+        lost > kMostLost ? "" : " or filled in");
 }
 
 std::vector<std::string> track_doubts(const capture::Tracks& tracks,

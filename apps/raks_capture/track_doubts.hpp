@@ -26,7 +26,8 @@ namespace raks::apps {
 /// The share of places that are lost, [0, 1]; 0 where there are none.
 [[nodiscard]] double lost_share(const capture::Tracks& tracks);
 
-/// That so much is lost that no dance can be learnt from it; empty: it is not.
+/// That so much is lost (over a fifth), or lost or filled in (over a half), that no dance can be
+/// learnt from it; empty: it is not.
 [[nodiscard]] std::string too_much_lost(const capture::Tracks& tracks);
 
 }  // namespace raks::apps

@@ -1,32 +1,11 @@
 #include "apps/raks_capture/tracking_step.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/film_step.hpp"
 
 namespace raks::apps {
-
-bool is_body_followed(std::optional<TrackingMethod> said,
-                      const capture::MarkerSet& markers,
-                      std::size_t films) {
-    // Salsa with five colours, each marker by itself: 51 % of the places are wrong with three
-    // cameras, 8 % with four, and by a body 0.6 and 0.5 % (docs/measurements/capture.md).
-    constexpr std::size_t kEnoughCameras = 5;
-    constexpr std::ptrdiff_t kMarkersOfTrunk = 3;
-    if (said) {
-        return *said == TrackingMethod::angles;
-    }
-    using motion::Bone;
-    const auto of_trunk = std::count_if(
-        markers.markers.begin(), markers.markers.end(), [](const capture::Marker& marker) {
-            return marker.bone == Bone::hips || marker.bone == Bone::spine ||
-                   marker.bone == Bone::chest || marker.bone == Bone::upper_chest;
-        });
-    return films < kEnoughCameras && markers.colours().size() < markers.markers.size() &&
-           of_trunk >= kMarkersOfTrunk;
-}
 
 Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                                       const std::filesystem::path& labels_file,

@@ -25,13 +25,6 @@ struct TrackingGiven {
     std::optional<capture::AngleTrackerOptions> angles;
 };
 
-/// Whether markers are followed by the angles of a body: as it was said, or else where `films`
-/// cameras are too few to tell markers of one colour apart, and the trunk has the three markers
-/// that a body is found by.
-[[nodiscard]] bool is_body_followed(std::optional<TrackingMethod> said,
-                                    const capture::MarkerSet& markers,
-                                    std::size_t films);
-
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be
 /// done. `method`: before what capture.toml says. Errors: those of the files, and of
 /// seen_by_cameras.

@@ -193,6 +193,22 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
     EXPECT_TRUE(std::any_of(found->doubts.begin(), found->doubts.end(), [](const auto& doubt) {
         return doubt.find("outside of the picture") != std::string::npos;
     }));
+    // A marker that lies behind another one shows that one's colour: its label is no lesson, and
+    // true.
+    const auto nearer =
+        std::find_if(clean_.labels.begin(), clean_.labels.end(), [&](const auto& label) {
+            return label.camera == camera && label.picture == 0 &&
+                   markers_.markers[*markers_.index_of(label.marker)].colour !=
+                       markers_.markers[0].colour;
+        });
+    ASSERT_NE(nearer, clean_.labels.end());
+    labels = clean_.labels;
+    labels.push_back({camera, 0, marker, nearer->pixel + glm::dvec2(1.0, 0.0)});
+    const auto behind = detect_in_films(films, markers_, labels);
+    ASSERT_TRUE(behind) << behind.error().message;
+    for (const std::string& doubt : behind->doubts) {
+        EXPECT_EQ(doubt.find("shows another colour"), std::string::npos) << doubt;
+    }
     const auto only = detect_in_films(
         std::span(films).first(1), markers_, std::vector(labels.end() - 2, labels.end()));
     ASSERT_FALSE(only);

@@ -63,6 +63,12 @@ TEST(TrackDoubts, tell_when_too_much_is_lost_to_learn_from) {
     EXPECT_NEAR(lost_share(tracks), 0.25, 0.01);
     EXPECT_TRUE(too_much_lost(tracks).starts_with("25 % of the places are lost"))
         << too_much_lost(tracks);
+    for (capture::MarkerPlace& place : tracks.places) {
+        place.source = capture::PlaceSource::filled;
+    }
+    EXPECT_EQ(lost_share(tracks), 0.0);
+    EXPECT_TRUE(too_much_lost(tracks).starts_with("100 % of the places are lost or filled in"))
+        << too_much_lost(tracks);
 }
 
 TEST(TrackDoubts, name_a_film_that_ends_long_before_the_others) {
