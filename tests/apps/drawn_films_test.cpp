@@ -202,9 +202,9 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
                        markers_.markers[0].colour;
         });
     ASSERT_NE(nearer, clean_.labels.end());
-    labels = clean_.labels;
-    labels.push_back({camera, 0, marker, nearer->pixel + glm::dvec2(1.0, 0.0)});
-    const auto behind = detect_in_films(films, markers_, labels);
+    std::vector<capture::MarkerLabel> hidden = clean_.labels;
+    hidden.push_back({camera, 0, marker, nearer->pixel + glm::dvec2(1.0, 0.0)});
+    const auto behind = detect_in_films(films, markers_, hidden);
     ASSERT_TRUE(behind) << behind.error().message;
     for (const std::string& doubt : behind->doubts) {
         EXPECT_EQ(doubt.find("shows another colour"), std::string::npos) << doubt;

@@ -172,7 +172,7 @@ TEST_F(Synchronise, cameras_that_hear_nothing_are_named_and_the_others_go_on) {
         slow.insert(slow.end(), {music_[i], music_[i]});
     }
     write(films() / "slow.wav", slow);
-    plan({"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav", "slow.wav"});
+    plan({"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav"});
     EXPECT_EQ(run({.folder = films().string()}), kExitPartly);
     ASSERT_EQ(written_clocks().size(), 2U);
 
