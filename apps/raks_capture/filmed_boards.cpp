@@ -275,8 +275,11 @@ Expected<void> look_at(const CapturePlan& plan,
         !checked) {
         return checked;
     }
+    if (look.found == 0) {
+        return fail(why_unseen(camera, plan.board, info, look));
+    }
     search.on_camera(camera.name, look.found);
-    return look.found > 0 ? Expected<void>{} : fail(why_unseen(camera, plan.board, info, look));
+    return {};
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct BoardSearch {
     std::vector<capture::Clock> clocks;  ///< of the calibration films; empty: all began at once
     /// Told the share that is done, [0, 1].
     std::function<void(double)> on_progress = [](double) {};
-    /// Told the name of each camera whose film is done, and how many pictures of it show the board.
+    /// Told the name of each camera whose film shows the board, once it is read, and in how many
+    /// pictures.
     std::function<void(const std::string& camera, std::size_t found)> on_camera =
         [](const std::string&, std::size_t) {};
     /// Asked picture by picture; true ends the search with an error.
