@@ -20,7 +20,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
-#include "motion/capture/solving/feet_floor.hpp"
+#include "motion/capture/tracking/feet_floor.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"
 

@@ -193,6 +193,21 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
     EXPECT_TRUE(std::any_of(found->doubts.begin(), found->doubts.end(), [](const auto& doubt) {
         return doubt.find("outside of the picture") != std::string::npos;
     }));
+    // What was kept of a film is taken as it is; the others are handed over once they are whole.
+    const std::vector<capture::SeenFilm> kept = {{rig_.cameras[1].name, {{0.5, {}}}}};
+    std::vector<std::string> read;
+    const auto rest = detect_in_films(
+        films,
+        markers_,
+        clean_.labels,
+        {.kept = kept, .take_film = [&](std::size_t, const capture::SeenFilm& film) {
+             read.push_back(film.camera);
+             return Expected<void>();
+         }});
+    ASSERT_TRUE(rest) << rest.error().message;
+    std::sort(read.begin(), read.end());
+    EXPECT_EQ(read, (std::vector<std::string>{rig_.cameras[0].name, rig_.cameras[2].name}));
+    EXPECT_EQ(rest->seen.films[1], kept[0]);
     // A marker that lies behind another one shows that one's colour: its label is no lesson, and
     // true.
     const auto nearer =

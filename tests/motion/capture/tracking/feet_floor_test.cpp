@@ -1,5 +1,5 @@
 // A world that no board told is put on its floor by the dancer's feet.
-#include "motion/capture/solving/feet_floor.hpp"
+#include "motion/capture/tracking/feet_floor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/capture/solving/feet_floor.hpp"
+#include "motion/capture/tracking/feet_floor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 
 #include <Eigen/Dense>
 
-#include "motion/capture/studio/point_studio.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
 #include <glm/geometric.hpp>
@@ -32,17 +31,19 @@ std::vector<TrackedKind> kinds_of(const Tracks& tracks, const MarkerSet& set, do
     const motion::Skeleton& body = motion::mannequin_skeleton();
     motion::Pose pose;
     pose.hips_position = {0.0F, body.hips_height(), 0.0F};
-    const auto places = marker_places(set, body, motion::world_pose(body, pose));
+    const motion::WorldPose world = motion::world_pose(body, pose);
     const double scale = height > 0.0 ? height / kMannequin : 1.0;
     std::vector<TrackedKind> kinds;
     for (const std::string& name : tracks.markers) {
         TrackedKind& kind = kinds.emplace_back();
         if (const auto index = set.index_of(name)) {
             const Bone bone = set.markers[*index].bone;
+            const auto standing =
+                static_cast<double>(world.point(bone, glm::vec3(set.markers[*index].place)).y);
             kind.is_above = bone == Bone::head || bone == Bone::neck || bone == Bone::upper_chest ||
                             bone == Bone::chest;
-            kind.is_foot = places[*index].y < kHighestFoot;
-            kind.over_sole = scale * places[*index].y;
+            kind.is_foot = standing < kHighestFoot;
+            kind.over_sole = scale * standing;
         }
     }
     return kinds;
