@@ -3,7 +3,7 @@
 find_path(RaksOpenCV_INCLUDE_DIR opencv2/aruco.hpp PATH_SUFFIXES opencv4)
 set(RaksOpenCV_LIBRARIES "")
 set(RaksOpenCV_NEEDED RaksOpenCV_INCLUDE_DIR)
-foreach(module aruco calib3d imgproc core)
+foreach(module aruco video calib3d imgproc core)
     find_library(RaksOpenCV_${module} opencv_${module})
     list(APPEND RaksOpenCV_LIBRARIES "${RaksOpenCV_${module}}")
     list(APPEND RaksOpenCV_NEEDED RaksOpenCV_${module})

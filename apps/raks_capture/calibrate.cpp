@@ -101,6 +101,10 @@ Expected<BoardSearch> search_of(const CapturePlan& plan,
     BoardSearch search;
     search.every = choices.every.value_or(kUsuallyEvery);
     search.on_progress = [&progress](double share) { progress.show(share); };
+    search.on_camera = [&progress](const std::string& camera, std::size_t found) {
+        progress.reached(fmt::format(
+            "camera \"{}\" looked at: {} pictures show the board", printable(camera), found));
+    };
     search.is_stop_requested = [] { return stop_signal().has_value(); };
     if (!clocks_file.empty()) {
         const auto text = read_text_file(clocks_file, kMostBytes);
@@ -119,9 +123,14 @@ Expected<BoardSearch> search_of(const CapturePlan& plan,
 Expected<capture::RigCalibration> calibrate_films(const CapturePlan& plan,
                                                   const CalibrationChoices& choices) {
     ProgressLine progress("looking for the board");
-    const auto search = search_of(plan, choices, progress);
+    auto search = search_of(plan, choices, progress);
     if (!search) {
         return fail(search.error());
+    }
+    if (choices.floor_picture) {
+        search->floor_moment = static_cast<std::size_t>(*choices.floor_picture);
+    } else if (choices.floor) {
+        search->floor_moment = static_cast<std::size_t>(std::round(*choices.floor / search->every));
     }
     const auto boards = find_filmed_boards(plan, *search);
     if (!boards) {
@@ -132,12 +141,7 @@ Expected<capture::RigCalibration> calibrate_films(const CapturePlan& plan,
     }
     capture::CalibrationSettings settings;
     settings.coefficients = choices.coefficients.value_or(settings.coefficients);
-    if (choices.floor_picture) {
-        settings.floor_moment = static_cast<std::size_t>(*choices.floor_picture);
-    } else if (choices.floor) {
-        settings.floor_moment =
-            static_cast<std::size_t>(std::round(*choices.floor / search->every));
-    }
+    settings.floor_moment = search->floor_moment;
     progress.show("fitting cameras");
     return capture::calibrate_rig(plan.board, boards->cameras, boards->sightings, settings);
 }
@@ -208,6 +212,9 @@ ExitCode calibrate(const CalibrationArguments& arguments) {
     const Path output = arguments.output.empty() ? plan->file("rig.toml") : arguments.output;
     if (!arguments.rig.empty()) {
         return take_rig(*plan, arguments, output);
+    }
+    if (auto checked = check_cameras(*plan); !checked) {
+        return fail(std::move(checked.error()));
     }
     const auto before = chosen_before(*plan);
     if (!before) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,6 +24,7 @@ struct DrawnFilmOptions {
     double frames_per_second = 30.0;     ///< of the cameras; 1 to 240
     bool is_draft = false;               ///< drawn at single size and without blur
     double shutter_seconds = 1.0 / 120;  ///< for which a picture gathers light
+    double rolling_shutter = 0.0;        ///< seconds between a picture's first row and its last
     double noise = 2.0;                  ///< of the sensors; grey levels, sd
     double least_gain = 0.5;             ///< of the cameras, drawn between both
     double greatest_gain = 1.5;
@@ -38,6 +40,9 @@ struct DrawnFilmOptions {
     /// Told after each picture: camera (its index), pictures done, pictures of a film.
     std::function<void(std::size_t camera, std::size_t done, std::size_t all)> tell_progress =
         [](std::size_t, std::size_t, std::size_t) {};
+    /// Told each film that is whole.
+    std::function<void(const std::filesystem::path& film)> tell_film =
+        [](const std::filesystem::path&) {};
     /// Asked before each picture; true ends the work with an error, and leaves whole films alone.
     std::function<bool()> is_stop_requested = [] { return false; };
 };
@@ -70,6 +75,8 @@ struct FilmingCamera {
     const capture::Clock& clock;
     std::size_t number = 0;    ///< among the cameras; its gain, noise and echo follow from it
     std::size_t pictures = 0;  ///< picture k is that of clock.capture_time(k / rate)
+    /// When it is bumped (capture::bumped), by its own clock; seconds.
+    std::optional<double> bump{};
 };
 
 /// Films an event with one camera: blur of what moves, the lens' distortion, gain, colour cast and

@@ -24,23 +24,58 @@ void add_simulate(CommandTable& table) {
         table.app(), "simulate", "film a known dance with simulated cameras", &simulate);
     app->add_option("motion", arguments->motion, "motion file")->required();
     app->add_option("-o,--out", arguments->output, "folder to make")->required();
-    app->add_flag("--points",
-                  arguments->points,
-                  "write where markers are in the pictures, but draw no pictures");
+    auto* const points =
+        app->add_flag("--points",
+                      arguments->points,
+                      "write where markers are in the pictures, but draw no pictures");
     app->add_flag("--draft", arguments->is_draft, "draw films at single size, without blur");
-    app->add_flag("--known-rig",
-                  arguments->is_rig_known,
-                  "draw no calibration films: write where the cameras are");
+    auto* const known = app->add_flag("--known-rig",
+                                      arguments->is_rig_known,
+                                      "draw no calibration films: write where the cameras are");
+    app->add_flag("--no-board",
+                  arguments->has_no_board,
+                  "draw no calibration films, and do not write where the cameras are either")
+        ->excludes(known)
+        ->excludes(points);
+    app->add_flag("--no-markers",
+                  arguments->has_no_markers,
+                  "film the dancer in plain clothes, without markers")
+        ->excludes(points);
     app->add_option("--music", arguments->music, "music that is heard in the films, of 48,000 Hz");
     app->add_option("--rig", arguments->rig, "cameras (TOML); without: a ring of 4 m");
     app->add_option("--cameras", arguments->cameras, "how many the ring has")
         ->check(in_range(2, 32));
+    app->add_option("--camera-angle",
+                    arguments->camera_angle,
+                    "degrees between neighbours, at hand-held height; without: evenly around")
+        ->check(in_range(1.0, 180.0));
     app->add_option("--markers", arguments->markers, "marker set (TOML)");
     app->add_flag("--unique", arguments->unique, "give each marker a colour of its own");
     app->add_option("--fps", arguments->fps, "frames a second of the motion")
         ->check(in_range(1.0, 1000.0));
-    app->add_option("--rate", arguments->rate, "pictures a second of the cameras")
-        ->check(in_range(1.0, 1000.0));
+    app->add_option(
+           "--rate", arguments->rates, "pictures a second of the cameras, or of one: cam2=24")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app->add_option("--bump",
+                    arguments->bumps,
+                    "somebody bumps into a camera at a second of its film: cam2=12.5")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app->add_option("--rolling-shutter",
+                    arguments->rolling_shutter,
+                    "milliseconds between the first row of a picture and the last")
+        ->check(in_range(0.0, 100.0));
+    app->add_option("--shutter",
+                    arguments->shutter,
+                    "milliseconds for which a picture gathers light: what moves is smeared")
+        ->check(in_range(0.1, 100.0));
+    app->add_option("--light", arguments->light, "light of the room, as a share of the usual")
+        ->check(in_range(0.05, 4.0));
+    app->add_option("--people",
+                    arguments->studio.people,
+                    "2: somebody without markers walks through behind the dancer")
+        ->check(CLI::IsMember({1, 2}));
     app->add_option("--tempo", arguments->tempo, "danced so many times as fast")
         ->check(in_range(0.1, 10.0));
     app->add_option("--duration", arguments->seconds, "seconds to film")

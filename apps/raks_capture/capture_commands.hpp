@@ -28,19 +28,27 @@ struct SimulateArguments {
     Path rig;      ///< empty: the studio's
     Path markers;  ///< empty: the shipped set
     bool points = false;
-    bool is_draft = false;      ///< of the films
-    bool is_rig_known = false;  ///< no calibration films
-    Path music;                 ///< that sounds in the room; empty: none
-    bool unique = false;        ///< each marker has a colour of its own
-    int cameras = 6;            ///< of the studio's rig
-    double fps = 0.0;           ///< of the motion; 0: the file's
-    double rate = 0.0;          ///< of the cameras; 0: the motion's
-    double seconds = 0.0;       ///< of the motion to film; 0: all
-    double tempo = 1.0;         ///< how much faster than recorded the dance is danced
+    bool is_draft = false;        ///< of the films
+    bool is_rig_known = false;    ///< no calibration films
+    bool has_no_board = false;    ///< neither calibration films nor a rig
+    bool has_no_markers = false;  ///< films of a dancer in plain clothes
+    Path music;                   ///< that sounds in the room; empty: none
+    bool unique = false;          ///< each marker has a colour of its own
+    int cameras = 6;              ///< of the studio's rig
+    double camera_angle = 0.0;    ///< degrees between neighbours of it; 0: evenly around
+    double fps = 0.0;             ///< of the motion; 0: the file's
+    /// Pictures a second: "30" of all cameras, "cam2=24" of one; empty: the motion's.
+    std::vector<std::string> rates;
+    std::vector<std::string> bumps;  ///< "cam2=12.5": when a camera is bumped; seconds
+    double shutter = 0.0;            ///< milliseconds for which a picture gathers light; 0: usual
+    double rolling_shutter = 0.0;    ///< milliseconds from a picture's first row to its last
+    double light = 1.0;              ///< of the room, as a share of the usual
+    double seconds = 0.0;            ///< of the motion to film; 0: all
+    double tempo = 1.0;              ///< how much faster than recorded the dance is danced
     capture::StudioOptions studio;
     BodyArguments body;
 
-    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known; }
+    [[nodiscard]] bool has_board_films() const { return !points && !is_rig_known && !has_no_board; }
     [[nodiscard]] bool has_sound() const { return !points && !music.empty(); }
 };
 /// Films a known dance with cameras that there are not. Errors: those of reading and of the

@@ -55,6 +55,9 @@ Expected<capture::Rig> load_capture_rig(const CapturePlan& plan) {
     for (const std::string& doubt : capture::rig_doubts(read->rig)) {
         say(file.string() + ": " + doubt);
     }
+    if (read->rig.floor == capture::FloorOrigin::feet) {
+        say(file.string() + ": the floor is guessed from the dancer's feet");
+    }
     return std::move(read->rig);
 }
 

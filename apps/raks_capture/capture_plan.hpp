@@ -22,13 +22,17 @@ struct PlannedCamera {
     double loudspeaker = 0.0;
 };
 
+/// How markers are followed: each by itself, or by the angles of a whole body.
+enum class TrackingMethod { positions, angles };
+
 /// A capture: a folder with this file (TOML), from which each step reads and to which it writes.
 ///
 ///     format = "raks-capture"
 ///     version = 1
 ///     height = 1.72                 # of the dancer, metres; left out: found from the markers
 ///     body = "dance"                # or "paper": 22 degrees of freedom
-///     method = "positions"          # or "angles": how markers are followed
+///     method = "positions"          # or "angles": how markers are followed; left out: by what
+///                                   # the cameras can tell apart
 ///     music = "song.mp3"            # left out: none
 ///     markers = "markers.toml"      # left out: the shipped set
 ///     frames_per_second = 60.0      # of the dance that comes out; left out: 60
@@ -49,10 +53,10 @@ struct PlannedCamera {
 ///     calibration = "left_board.mp4"
 ///     loudspeaker = 3.2             # metres from it
 struct CapturePlan {
-    std::filesystem::path folder;  ///< that capture.toml lies in
-    double height = 0.0;           ///< metres; 0: not said
-    bool is_paper_body = false;    ///< body = "paper"
-    bool is_by_angles = false;     ///< method = "angles"
+    std::filesystem::path folder;            ///< that capture.toml lies in
+    double height = 0.0;                     ///< metres; 0: not said
+    bool is_paper_body = false;              ///< body = "paper"
+    std::optional<TrackingMethod> method{};  ///< none: by what the cameras can tell apart
     std::filesystem::path music;
     std::filesystem::path markers;
     double frames_per_second = 60.0;
@@ -77,6 +81,20 @@ struct CapturePlan {
 
 /// A plan as the text of such a file, which reads back to the same values.
 [[nodiscard]] std::string capture_plan_text(const CapturePlan& plan);
+
+/// Whether markers are followed by the angles of a body: as it was said, or else where `films`
+/// cameras are too few to tell markers of one colour apart, and the trunk has the three markers
+/// that a body is found by.
+[[nodiscard]] bool is_body_followed(std::optional<TrackingMethod> said,
+                                    const capture::MarkerSet& markers,
+                                    std::size_t films);
+
+/// That so few cameras cannot follow markers that share colours, not even by a body, in one line;
+/// empty: they can.
+[[nodiscard]] std::string too_few_for_colours(const capture::MarkerSet& markers, std::size_t films);
+
+/// That a capture has cameras enough to tell where something is. Error: it has one.
+[[nodiscard]] Expected<void> check_cameras(const CapturePlan& plan);
 
 /// The markers of a capture. Errors: those of its marker set.
 [[nodiscard]] Expected<capture::MarkerSet> load_markers(const CapturePlan& plan);

@@ -27,4 +27,12 @@ struct LearntColours {
                                                     const DetectionOptions& options,
                                                     std::vector<std::string>& doubts);
 
+/// One line that names two films whose labels lie on markers once they are exchanged, and hardly as
+/// they are; empty: there are none. To be asked where labels show no colour. Reads each film once
+/// for each camera, as far as its labels.
+[[nodiscard]] std::string exchanged_films(std::span<const CameraFilm> films,
+                                          const capture::MarkerSet& markers,
+                                          std::span<const capture::MarkerLabel> labels,
+                                          const DetectionOptions& options);
+
 }  // namespace raks::apps

@@ -115,6 +115,7 @@ class DrawnBoard : public DrawnEvent {
     std::vector<std::uint8_t> empty_;
     std::vector<std::uint8_t> rgba_;
     DrawnPart last_;
+    std::optional<capture::RigidMotion> shown_;  // where the board is in rgba_
 };
 
 // A wall that grows lighter towards the floor.
@@ -129,6 +130,7 @@ Expected<std::span<const std::uint8_t>> DrawnBoard::aim(const render::PinholeVie
     }
     rgba_ = empty_;
     last_ = {};
+    shown_.reset();
     return std::span<const std::uint8_t>(empty_);
 }
 
@@ -174,7 +176,12 @@ void DrawnBoard::clear(const DrawnPart& part) {
 }
 
 Expected<EventPicture> DrawnBoard::draw(double capture_time) {
-    const BoardInView seen(view_, way_.place_at(capture_time));
+    const capture::RigidMotion place = way_.place_at(capture_time);
+    if (shown_ && shown_->rotation == place.rotation && shown_->translation == place.translation) {
+        return EventPicture{rgba_, last_};  // held still
+    }
+    shown_ = place;
+    const BoardInView seen(view_, place);
     clear(last_);
     last_ = seen.around(low_, high_);
     for (int y = last_.y; y < last_.y + last_.height; ++y) {

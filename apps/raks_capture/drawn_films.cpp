@@ -129,7 +129,7 @@ class DancerExtent {
 class DrawnDancer : public DrawnEvent {
  public:
     [[nodiscard]] static Expected<std::unique_ptr<DrawnDancer>> create(
-        const capture::StudioMotion& motion, const capture::MarkerSet& markers);
+        const capture::StudioMotion& motion, const capture::MarkerSet& markers, int people);
 
     [[nodiscard]] Expected<std::span<const std::uint8_t>> aim(
         const render::PinholeView& view) override;
@@ -156,6 +156,7 @@ class DrawnDancer : public DrawnEvent {
     const capture::StudioMotion& motion_;
     const capture::MarkerSet& markers_;
     std::vector<glm::vec3> paints_;  // by marker
+    int people_ = 1;
     render::Theme theme_ = studio_theme();
     std::optional<render::OffscreenTarget> target_;
     render::PinholeView view_;
@@ -166,7 +167,8 @@ class DrawnDancer : public DrawnEvent {
 };
 
 Expected<std::unique_ptr<DrawnDancer>> DrawnDancer::create(const capture::StudioMotion& motion,
-                                                           const capture::MarkerSet& markers) {
+                                                           const capture::MarkerSet& markers,
+                                                           int people) {
     std::vector<glm::vec3> paints;
     for (const capture::Marker& marker : markers.markers) {
         const auto paint = marker_paint(marker.colour);
@@ -190,6 +192,7 @@ Expected<std::unique_ptr<DrawnDancer>> DrawnDancer::create(const capture::Studio
     std::unique_ptr<DrawnDancer> dancer(
         new DrawnDancer(std::move(*context), std::move(*renderer), motion, markers));
     dancer->paints_ = std::move(paints);
+    dancer->people_ = people;
     return dancer;
 }
 
@@ -211,7 +214,8 @@ Expected<void> DrawnDancer::make_target(const render::PinholeView& view) {
 render::Scene DrawnDancer::stage() const {
     render::Scene scene;
     scene.camera.yaw = 0.0F;  // the lights are those of the room, not of this camera
-    scene.dress = render::Dress::mannequin;
+    // Markers are found best on one plain colour; without them the dancer wears clothes.
+    scene.dress = markers_.markers.empty() ? render::Dress::dancer : render::Dress::mannequin;
     scene.theme = &theme_;
     scene.placed = render::placed_camera(view_);
     return scene;
@@ -282,10 +286,16 @@ Expected<EventPicture> DrawnDancer::draw(double capture_time) {
                                  .colour = paints_[i]});
     }
     DancerExtent extent(view_);
-    extent.take_in(world, render::light_directions(scene.camera).key);
+    const glm::vec3 key_light = render::light_directions(scene.camera).key;
+    extent.take_in(world, key_light);
+    std::vector<motion::Pose> poses{pose};
+    if (people_ > 1) {
+        poses.push_back(capture::passer_by(motion_, capture_time));
+        extent.take_in(motion::world_pose(motion_.skeleton, poses.back()), key_light);
+    }
     render::FrameTarget frame = target_->frame();
     frame.part = extent.box();
-    renderer_.draw(scene, pose, frame);
+    renderer_.draw(scene, poses, frame);
     if (auto read = read_part(*frame.part); !read) {
         return fail(std::move(read.error()));
     }
@@ -312,19 +322,24 @@ Expected<std::vector<fs::path>> draw_films(const capture::StudioMotion& motion,
                                            const capture::MarkerSet& markers,
                                            std::span<const capture::Clock> clocks,
                                            const fs::path& folder,
-                                           const DrawnFilmOptions& options) {
-    const auto dancer = DrawnDancer::create(motion, markers);
+                                           const DrawnFilmOptions& options,
+                                           const capture::StudioOptions& studio) {
+    const auto dancer = DrawnDancer::create(motion, markers, studio.people);
     if (!dancer) {
         return fail(dancer.error());
     }
-    const double seconds = static_cast<double>(motion.poses.size() - 1) / motion.frames_per_second;
-    const auto pictures =
-        static_cast<std::size_t>(std::floor(seconds * options.frames_per_second + 1e-9)) + 1;
     std::vector<fs::path> films;
     for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
         films.push_back(folder / (rig.cameras[i].name + options.ending));
-        const FilmingCamera filming{rig.cameras[i], clocks[i], i, pictures};
-        if (auto written = film_event(**dancer, filming, films.back(), options); !written) {
+        DrawnFilmOptions own = options;
+        own.frames_per_second =
+            i < studio.rates.size() ? studio.rates[i] : options.frames_per_second;
+        const FilmingCamera filming{rig.cameras[i],
+                                    clocks[i],
+                                    i,
+                                    capture::picture_count(motion, own.frames_per_second),
+                                    studio.bump_of(i)};
+        if (auto written = film_event(**dancer, filming, films.back(), own); !written) {
             return fail(std::move(written.error()));
         }
     }

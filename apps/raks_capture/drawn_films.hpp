@@ -24,16 +24,19 @@ namespace raks::apps {
 /// sphere at each marker, drawn by Raks' own renderer at twice the size and reduced; with the lens'
 /// distortion, blur of what moves, gain, colour cast and noise of the sensor, 4:2:0 of the film's
 /// codec, and a sound track as this camera would hear the room by its clock. Picture k is that of
-/// clock.capture_time(k / rate). `motion` must be of the mannequin's body; `clocks`: one a camera.
-/// Films are FOLDER/CAMERA.mp4, in the order of the cameras.
-/// The same input gives the same films on the same machine. Errors: no OpenGL, a colour that there
-/// is no paint of, a film that cannot be written, stopped.
+/// clock.capture_time(k / rate). Without a marker the dancer wears clothes instead of
+/// one plain colour. `motion` must be of the mannequin's body; `clocks`: one a camera.
+/// Films are FOLDER/CAMERA.mp4, in the order of the cameras. Of `studio` what differs from camera
+/// to camera counts, and how many people there are. The same input gives the same films on the same
+/// machine. Errors: no OpenGL, a colour that there is no paint of, a film that cannot be written,
+/// stopped.
 [[nodiscard]] Expected<std::vector<std::filesystem::path>> draw_films(
     const capture::StudioMotion& motion,
     const capture::Rig& rig,
     const capture::MarkerSet& markers,
     std::span<const capture::Clock> clocks,
     const std::filesystem::path& folder,
-    const DrawnFilmOptions& options = {});
+    const DrawnFilmOptions& options = {},
+    const capture::StudioOptions& studio = {});
 
 }  // namespace raks::apps

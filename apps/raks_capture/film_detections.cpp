@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "apps/raks_capture/colour_lessons.hpp"
@@ -104,8 +107,28 @@ void tell_rare_colours(const CameraFilm& film,
     }
 }
 
+/// Told of the progress by one thread at a time.
+class Listener {
+ public:
+    explicit Listener(const DetectionOptions& options) : options_(options) {}
+
+    void tell(std::size_t camera, std::size_t done, std::size_t all) {
+        const std::lock_guard lock(mutex_);
+        options_.tell_progress(camera, done, all);
+    }
+    [[nodiscard]] Expected<void> take(std::size_t camera, const capture::SeenFilm& film) {
+        const std::lock_guard lock(mutex_);
+        return options_.take_film(camera, film);
+    }
+
+ private:
+    std::mutex mutex_;
+    const DetectionOptions& options_;
+};
+
 Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
                                            std::size_t number,
+                                           Listener& listener,
                                            const LearntColours& learnt,
                                            const DetectionOptions& options,
                                            std::vector<std::string>& doubts) {
@@ -139,14 +162,89 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
             found.detections.back().colour = learnt.colours[spot.detection.colour];
         }
         if (seen.pictures.size() % kTellEvery == 0) {
-            options.tell_progress(number, seen.pictures.size(), all);
+            listener.tell(number, seen.pictures.size(), all);
         }
     }
-    options.tell_progress(number, seen.pictures.size(), seen.pictures.size());
+    listener.tell(number, seen.pictures.size(), seen.pictures.size());
     if (!(*reader)->warning().empty()) {
         doubts.push_back((*reader)->warning());
     }
     return seen;
+}
+
+const capture::SeenFilm* kept_of(const CameraFilm& film, const DetectionOptions& options) {
+    const auto kept = std::find_if(options.kept.begin(),
+                                   options.kept.end(),
+                                   [&film](const auto& one) { return one.camera == film.camera; });
+    return kept != options.kept.end() ? &*kept : nullptr;
+}
+
+/// A film that is to be read, and what comes of it.
+struct FilmWork {
+    std::size_t number = 0;  // among all films
+    LearntColours learnt;
+    Expected<capture::SeenFilm> seen = capture::SeenFilm{};
+    std::vector<std::string> doubts;
+};
+
+// The colours of all films that are to be read. A label that shows none is blamed only where no
+// other order of the films explains it.
+Expected<std::vector<FilmWork>> learn_all(std::span<const CameraFilm> films,
+                                          const capture::MarkerSet& markers,
+                                          std::span<const capture::MarkerLabel> labels,
+                                          const DetectionOptions& options) {
+    std::vector<FilmWork> works;
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        if (kept_of(films[i], options) != nullptr) {
+            continue;
+        }
+        FilmWork work;
+        work.number = i;
+        auto learnt = learn_colours(films[i], markers, labels, options, work.doubts);
+        if (!learnt) {
+            const std::string exchanged = exchanged_films(films, markers, labels, options);
+            return exchanged.empty() ? fail(std::move(learnt.error())) : fail(exchanged);
+        }
+        work.learnt = std::move(*learnt);
+        works.push_back(std::move(work));
+    }
+    return works;
+}
+
+// Reads films, several at once, each by one thread.
+void read_all(std::span<const CameraFilm> films,
+              const std::vector<std::string>& colours,
+              const DetectionOptions& options,
+              std::vector<FilmWork>& works) {
+    Listener listener(options);
+    std::atomic<std::size_t> next = 0;
+    const auto read = [&] {
+        for (;;) {
+            const std::size_t i =
+                next.fetch_add(1, std::memory_order_relaxed);  // relaxed: a ticket
+            if (i >= works.size()) {
+                return;
+            }
+            FilmWork& work = works[i];
+            const CameraFilm& film = films[work.number];
+            work.seen =
+                detect_in_film(film, work.number, listener, work.learnt, options, work.doubts);
+            if (!work.seen) {
+                continue;
+            }
+            tell_rare_colours(film, *work.seen, work.learnt, colours, work.doubts);
+            if (auto taken = listener.take(work.number, *work.seen); !taken) {
+                work.seen = fail(std::move(taken.error()));
+            }
+        }
+    };
+    const std::size_t cores = options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                                                  : std::thread::hardware_concurrency();
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < std::min(std::max<std::size_t>(cores, 1), works.size()); ++i) {
+        helpers.emplace_back(read);
+    }
+    read();
 }
 
 }  // namespace
@@ -189,17 +287,23 @@ Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,
     }
     FilmDetections found;
     found.seen.colours = markers.colours();
+    auto works = learn_all(films, markers, labels, options);
+    if (!works) {
+        return fail(std::move(works.error()));
+    }
+    read_all(films, found.seen.colours, options, *works);
     for (std::size_t i = 0; i < films.size(); ++i) {
-        const auto learnt = learn_colours(films[i], markers, labels, options, found.doubts);
-        if (!learnt) {
-            return fail(learnt.error());
+        if (const capture::SeenFilm* const kept = kept_of(films[i], options)) {
+            found.seen.films.push_back(*kept);
+            continue;
         }
-        auto seen = detect_in_film(films[i], i, *learnt, options, found.doubts);
-        if (!seen) {
-            return fail(seen.error());
+        const auto work = std::find_if(
+            works->begin(), works->end(), [i](const FilmWork& one) { return one.number == i; });
+        if (!work->seen) {
+            return fail(std::move(work->seen.error()));
         }
-        tell_rare_colours(films[i], *seen, *learnt, found.seen.colours, found.doubts);
-        found.seen.films.push_back(std::move(*seen));
+        found.seen.films.push_back(std::move(*work->seen));
+        found.doubts.insert(found.doubts.end(), work->doubts.begin(), work->doubts.end());
     }
     return found;
 }

@@ -10,6 +10,7 @@
 #include "engine/films/film_reader.hpp"
 #include "engine/films/numbered_pictures.hpp"
 #include "motion/capture/calibration/board_detection.hpp"
+#include "motion/capture/calibration/lying_board.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -177,11 +178,16 @@ std::vector<capture::BoardCorner> board_at(double share,
                                            const std::optional<engine::FilmPicture>& before,
                                            const engine::FilmPicture& after,
                                            const capture::Board& board,
+                                           bool is_on_floor,
                                            Look& look) {
     const auto find = [&](const engine::FilmPicture& picture) {
         look.last = grey_of(picture);
+        const capture::GreyPicture grey{picture.width, picture.height, look.last};
         capture::BoardView view =
-            capture::find_board({picture.width, picture.height, look.last}, board);
+            is_on_floor ? capture::find_lying_board(grey, board) : capture::BoardView();
+        if (!view.is_found()) {
+            view = capture::find_board(grey, board);
+        }
         look.foreign += view.foreign_markers >= kForeignBoard ? 1U : 0U;
         return view.corners.size() >= capture::kFewestBoardCorners
                    ? std::move(view.corners)
@@ -245,7 +251,12 @@ Expected<void> look_at(const CapturePlan& plan,
             break;
         }
         if (const auto step = steps.step_at((*picture)->seconds)) {
-            auto corners = board_at(step->share, before, **picture, plan.board, look);
+            auto corners = board_at(step->share,
+                                    before,
+                                    **picture,
+                                    plan.board,
+                                    step->moment == search.floor_moment,
+                                    look);
             if (!corners.empty()) {
                 boards.sightings.push_back({index, step->moment, std::move(corners)});
             }
@@ -264,7 +275,11 @@ Expected<void> look_at(const CapturePlan& plan,
         !checked) {
         return checked;
     }
-    return look.found > 0 ? Expected<void>{} : fail(why_unseen(camera, plan.board, info, look));
+    if (look.found == 0) {
+        return fail(why_unseen(camera, plan.board, info, look));
+    }
+    search.on_camera(camera.name, look.found);
+    return {};
 }
 
 }  // namespace

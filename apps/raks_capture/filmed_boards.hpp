@@ -1,7 +1,9 @@
 // Filmed boards: what the cameras of a capture saw of the board in their calibration films.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +16,16 @@ namespace raks::apps {
 
 /// How to look.
 struct BoardSearch {
-    double every = 0.5;                  ///< between the pictures of a film that are looked at; s
+    double every = 0.5;  ///< between the pictures of a film that are looked at; s
+    /// When the board lay on the floor, in steps; it is looked for there more closely.
+    std::optional<std::size_t> floor_moment{};
     std::vector<capture::Clock> clocks;  ///< of the calibration films; empty: all began at once
     /// Told the share that is done, [0, 1].
     std::function<void(double)> on_progress = [](double) {};
+    /// Told the name of each camera whose film shows the board, once it is read, and in how many
+    /// pictures.
+    std::function<void(const std::string& camera, std::size_t found)> on_camera =
+        [](const std::string&, std::size_t) {};
     /// Asked picture by picture; true ends the search with an error.
     std::function<bool()> is_stop_requested = [] { return false; };
 };

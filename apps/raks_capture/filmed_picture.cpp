@@ -194,7 +194,9 @@ FilmedPicture::Region FilmedPicture::region_of(const DrawnPart& part) const {
             static_cast<int>(high.y)};
 }
 
-void FilmedPicture::add(std::span<const std::uint8_t> rgba, const DrawnPart& part) {
+void FilmedPicture::add(std::span<const std::uint8_t> rgba,
+                        const DrawnPart& part,
+                        const PictureRows& rows) {
     const Region region = part.width > 0 && part.height > 0 ? region_of(part) : Region{0, 0, 0, 0};
     const auto add_still = [&](int row, int left, int right) {
         const int first = 3 * row * lens_.width;
@@ -202,7 +204,7 @@ void FilmedPicture::add(std::span<const std::uint8_t> rgba, const DrawnPart& par
             light_[static_cast<std::size_t>(i)] += still_[static_cast<std::size_t>(i)];
         }
     };
-    for (int row = 0; row < lens_.height; ++row) {
+    for (int row = rows.first; row < rows.end; ++row) {
         if (row < region.top || row >= region.bottom) {
             add_still(row, 0, lens_.width);
             continue;
@@ -211,7 +213,7 @@ void FilmedPicture::add(std::span<const std::uint8_t> rgba, const DrawnPart& par
         add_row(rgba, row, region.left, region.right);
         add_still(row, region.right, lens_.width);
     }
-    ++added_;
+    added_ += rows.end == lens_.height ? 1 : 0;
 }
 
 const std::vector<std::uint8_t>& FilmedPicture::develop(const Sensor& sensor, Dice& dice) {

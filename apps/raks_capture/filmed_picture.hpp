@@ -27,6 +27,12 @@ struct DrawnPart {
     int height = 0;
 };
 
+/// Rows of a picture, from `first` up to `end`, which is beyond them.
+struct PictureRows {
+    int first = 0;
+    int end = 0;
+};
+
 /// Makes a camera's pictures of drawn ones, which know neither its lens' distortion nor a sensor:
 /// drawings at `scale` times the size are bent, reduced and summed up as light, several for one
 /// picture where things move while the shutter is open. Pure computation. Threads: one.
@@ -43,8 +49,9 @@ class FilmedPicture {
     /// Sets a drawing of which others differ in a part only.
     void set_still(std::span<const std::uint8_t> rgba);
     /// The same as add(rgba) where the drawing is the still one beyond `part`, and quicker.
+    /// Adds to these rows alone: those of a picture come from the first to the last, each once.
     /// Precondition: set_still.
-    void add(std::span<const std::uint8_t> rgba, const DrawnPart& part);
+    void add(std::span<const std::uint8_t> rgba, const DrawnPart& part, const PictureRows& rows);
     /// The picture of what was added since the last one, as sRGB with alpha 255. At least one.
     [[nodiscard]] const std::vector<std::uint8_t>& develop(const Sensor& sensor, Dice& dice);
 

@@ -13,6 +13,7 @@
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
+#include "apps/raks_capture/track_doubts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 
@@ -73,7 +74,18 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
-Expected<void> say_what_is_next(const CapturePlan& plan) {
+// Ends with the line that learns the dance, or says why there is none.
+ExitCode say_what_is_next(const CapturePlan& plan) {
+    if (is_there(plan.file("tracks.csv"))) {
+        const auto tracks = load_tracks(plan.folder);
+        if (!tracks) {
+            return fail(tracks.error());
+        }
+        if (const std::string too_much = too_much_lost(*tracks); !too_much.empty()) {
+            say(too_much);
+            return kExitPartly;
+        }
+    }
     const auto offset = song_offset(plan);
     if (!offset) {
         return fail(offset.error());
@@ -84,7 +96,7 @@ Expected<void> say_what_is_next(const CapturePlan& plan) {
             " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
     }
     print_text(line + " -o mine\n");
-    return {};
+    return kExitDone;
 }
 
 }  // namespace
@@ -93,6 +105,9 @@ ExitCode run_capture(const RunArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
         return fail(plan.error());
+    }
+    if (auto checked = check_cameras(*plan); !checked) {
+        return fail(std::move(checked.error()));
     }
     int exit_code = kExitDone;
     for (const CaptureStep& step : capture_steps(*plan)) {
@@ -116,9 +131,11 @@ ExitCode run_capture(const RunArguments& arguments) {
         exit_code = std::max(exit_code, *ended);
     }
     if (is_there(plan->file("dance.bvh"))) {
-        if (auto said = say_what_is_next(*plan); !said) {
-            return fail(std::move(said.error()));
+        const ExitCode said = say_what_is_next(*plan);
+        if (!said) {
+            return said;
         }
+        exit_code = std::max(exit_code, *said);
     }
     return exit_code;
 }

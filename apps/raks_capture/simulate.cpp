@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "audio/io/audio_file.hpp"
 #include "base/dice.hpp"
 #include "base/pending_file.hpp"
+#include "base/printable.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/studio/point_studio.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
@@ -28,8 +30,18 @@ namespace {
 
 Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
     if (arguments.rig.empty()) {
-        return arguments.points ? capture::studio_rig(arguments.cameras)
-                                : capture::unlike_cameras_rig(arguments.cameras);
+        if (arguments.camera_angle * arguments.cameras > 360.0) {
+            return fail(
+                fmt::format("--camera-angle {} with {} cameras: goes more than once around "
+                            "the dancer; at most {:.0f} degrees",
+                            arguments.camera_angle,
+                            arguments.cameras,
+                            std::floor(360.0 / arguments.cameras)));
+        }
+        return arguments.points
+                   ? capture::studio_rig(arguments.cameras, 640, 480, arguments.camera_angle)
+                   : capture::unlike_cameras_rig(
+                         arguments.cameras, 1280, 720, arguments.camera_angle);
     }
     auto file = capture::read_rig(arguments.rig);
     if (!file) {
@@ -45,6 +57,9 @@ Expected<capture::Rig> studio_rig_of(const SimulateArguments& arguments) {
 }
 
 Expected<capture::MarkerSet> markers_of(const SimulateArguments& arguments) {
+    if (arguments.has_no_markers) {
+        return capture::MarkerSet{};
+    }
     if (arguments.markers.empty()) {
         return capture::default_markers(arguments.unique ? capture::MarkerColours::unique
                                                          : capture::MarkerColours::five);
@@ -88,6 +103,9 @@ DrawnFilmOptions film_options(const SimulateArguments& arguments,
             (static_cast<double>(camera) + static_cast<double>(done) / static_cast<double>(all)) /
             static_cast<double>(cameras));
     };
+    options.tell_film = [&progress](const Path& film) {
+        progress.reached(film.filename().string() + " is drawn");
+    };
     options.is_stop_requested = [] { return stop_signal().has_value(); };
     return options;
 }
@@ -98,7 +116,8 @@ Expected<void> draw_dance(const SimulateArguments& arguments,
                           const capture::StudioTake& take,
                           const capture::StudioMotion& motion,
                           const capture::Rig& rig,
-                          const capture::MarkerSet& markers) {
+                          const capture::MarkerSet& markers,
+                          const capture::StudioOptions& studio) {
     const auto music = music_of(arguments);
     if (!music) {
         return fail(music.error());
@@ -107,7 +126,12 @@ Expected<void> draw_dance(const SimulateArguments& arguments,
     DrawnFilmOptions options = film_options(arguments, rig.cameras.size(), progress);
     options.frames_per_second = take.truth.frames_per_second;
     options.music = *music;
-    const auto films = draw_films(motion, rig, markers, take.clocks, folder, options);
+    options.rolling_shutter = studio.rolling_shutter;
+    options.shutter_seconds =
+        arguments.shutter > 0.0 ? 1e-3 * arguments.shutter : options.shutter_seconds;
+    options.least_gain *= arguments.light;
+    options.greatest_gain *= arguments.light;
+    const auto films = draw_films(motion, rig, markers, take.clocks, folder, options, studio);
     return films ? Expected<void>{} : fail(films.error());
 }
 
@@ -158,7 +182,9 @@ CapturePlan plan_of(const SimulateArguments& arguments,
                     double frames_per_second) {
     CapturePlan plan;
     plan.height = 1.714;  // the mannequin's
-    plan.markers = "markers.toml";
+    if (!arguments.has_no_markers) {
+        plan.markers = "markers.toml";
+    }
     plan.frames_per_second = frames_per_second;
     plan.start = 0.0;
     plan.board = studio_board();
@@ -193,15 +219,17 @@ std::vector<std::pair<std::string, std::string>> texts_of(const SimulateArgument
                                                           const capture::Rig& rig,
                                                           const capture::MarkerSet& markers) {
     std::vector<std::pair<std::string, std::string>> texts = {
-        {"markers.toml", capture::marker_set_text(markers)},
-        {"labels.tsv", capture::labels_text(take.labels)},
-        {arguments.points ? "detections.csv" : "truth/detections.csv",
-         capture::observations_text(take.seen)},
         {"truth/clocks.toml", capture::clocks_text(take.clocks)},
-        {"truth/tracks.csv", capture::tracks_text(take.truth)},
         {"truth/rig.toml", capture::rig_text(rig)},
     };
-    if (!arguments.has_board_films()) {
+    if (!arguments.has_no_markers) {
+        texts.emplace_back("markers.toml", capture::marker_set_text(markers));
+        texts.emplace_back("labels.tsv", capture::labels_text(take.labels));
+        texts.emplace_back(arguments.points ? "detections.csv" : "truth/detections.csv",
+                           capture::observations_text(take.seen));
+        texts.emplace_back("truth/tracks.csv", capture::tracks_text(take.truth));
+    }
+    if (!arguments.has_board_films() && !arguments.has_no_board) {
         texts.emplace_back("rig.toml", capture::rig_text(rig));
     }
     if (!arguments.has_sound()) {
@@ -264,6 +292,10 @@ Expected<void> write_plan(const SimulateArguments& arguments,
 std::string expectation(const capture::Rig& rig,
                         const capture::StudioTake& take,
                         const capture::StudioOptions& options) {
+    if (take.truth.places.empty()) {
+        return fmt::format(
+            "{} cameras, {} frames, no markers", rig.cameras.size(), take.truth.frame_count);
+    }
     double views = 0.0;
     for (const capture::MarkerPlace& place : take.truth.places) {
         views += place.views;
@@ -285,6 +317,65 @@ std::string expectation(const capture::Rig& rig,
         options.noise);
 }
 
+// What is said of all cameras ("30") or of one ("cam2=24"), by camera; none: nothing is. Errors: a
+// camera that there is not; no number, or one out of range.
+Expected<std::vector<std::optional<double>>> by_camera(const std::vector<std::string>& words,
+                                                       const char* option,
+                                                       double least,
+                                                       double most,
+                                                       const capture::Rig& rig) {
+    std::vector<std::optional<double>> values(rig.cameras.size());
+    for (const std::string& word : words) {
+        const std::size_t equals = word.find('=');
+        const std::string number = word.substr(equals == std::string::npos ? 0 : equals + 1);
+        double value = 0.0;
+        const auto [end, problem] =
+            std::from_chars(number.data(), number.data() + number.size(), value);
+        if (problem != std::errc() || end != number.data() + number.size() || !(value >= least) ||
+            value > most) {
+            return fail(fmt::format("{} {}: must be a number from {} to {}, or CAMERA=NUMBER",
+                                    option,
+                                    printable(word),
+                                    least,
+                                    most));
+        }
+        if (equals == std::string::npos) {
+            std::fill(values.begin(), values.end(), value);
+            continue;
+        }
+        const auto camera = rig.index_of(word.substr(0, equals));
+        if (!camera) {
+            return fail(fmt::format("{} {}: there is no such camera; they are \"{}\" to \"{}\"",
+                                    option,
+                                    printable(word),
+                                    printable(rig.cameras.front().name),
+                                    printable(rig.cameras.back().name)));
+        }
+        values[*camera] = value;
+    }
+    return values;
+}
+
+Expected<capture::StudioOptions> studio_options(const SimulateArguments& arguments,
+                                                const capture::Rig& rig,
+                                                double frames_per_second) {
+    const auto rates = by_camera(arguments.rates, "--rate", 1.0, 1000.0, rig);
+    auto bumps = by_camera(arguments.bumps, "--bump", 0.0, 86400.0, rig);
+    if (!rates || !bumps) {
+        return fail(rates ? std::move(bumps.error()) : rates.error());
+    }
+    capture::StudioOptions options = arguments.studio;
+    options.first_clock_is_true = !arguments.points;
+    options.rolling_shutter = 1e-3 * arguments.rolling_shutter;
+    options.bumps = std::move(*bumps);
+    options.frames_per_second = 0.0;  // the fastest of the cameras
+    for (const std::optional<double>& rate : *rates) {
+        options.rates.push_back(rate.value_or(frames_per_second));
+        options.frames_per_second = std::max(options.frames_per_second, options.rates.back());
+    }
+    return options;
+}
+
 }  // namespace
 
 ExitCode simulate(const SimulateArguments& arguments) {
@@ -302,9 +393,11 @@ ExitCode simulate(const SimulateArguments& arguments) {
     if (!filmed) {
         return fail(filmed.error());
     }
-    capture::StudioOptions options = arguments.studio;
-    options.frames_per_second = arguments.rate > 0.0 ? arguments.rate : filmed->frames_per_second;
-    options.first_clock_is_true = !arguments.points;
+    const auto studio = studio_options(arguments, *rig, filmed->frames_per_second);
+    if (!studio) {
+        return fail(studio.error());
+    }
+    const capture::StudioOptions& options = *studio;
     const capture::StudioMotion motion{
         motion::mannequin_skeleton(), filmed->poses, filmed->frames_per_second};
     const capture::StudioTake take = capture::film_points(motion, *rig, *markers, options);
@@ -314,7 +407,7 @@ ExitCode simulate(const SimulateArguments& arguments) {
     }
     auto made = write_take(arguments, folder->part(), take, *rig, *markers, *filmed);
     if (made && !arguments.points) {
-        made = draw_dance(arguments, folder->part(), take, motion, *rig, *markers);
+        made = draw_dance(arguments, folder->part(), take, motion, *rig, *markers, options);
     }
     if (made) {
         made = write_plan(arguments, folder->part(), take, *rig);
@@ -327,6 +420,10 @@ ExitCode simulate(const SimulateArguments& arguments) {
         return fail(std::move(done.error()));
     }
     say(expectation(*rig, take, options));
+    if (const std::string too_few = too_few_for_colours(*markers, rig->cameras.size());
+        !too_few.empty()) {
+        say(too_few);
+    }
     return kExitDone;
 }
 

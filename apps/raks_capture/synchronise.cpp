@@ -136,7 +136,7 @@ class Synchronisation {
         const auto& clock = joint.clocks[track];
         if (!clock) {
             if (by_hand(camera.camera) == nullptr) {
-                result_.warnings.push_back(clock.error().message);
+                result_.warnings.push_back(clock.error().message + slow_motion_of(track));
             }
             return;
         }
@@ -151,6 +151,29 @@ class Synchronisation {
         if (has_song && !clock->hears_song) {
             result_.warnings.push_back(fmt::format("{}: does not hear the music", camera.camera));
         }
+    }
+
+    // A film that fits no other and is several times as long as they are: telephones play pictures
+    // that they took quickly more slowly, and its sound with them.
+    [[nodiscard]] std::string slow_motion_of(std::size_t track) const {
+        constexpr double kSlow = 1.7;
+        std::vector<double> lengths;
+        for (std::size_t i = 0; i < heard_.tracks.size(); ++i) {
+            if (i != track && heard_.cameras[i]) {
+                lengths.push_back(heard_.tracks[i].seconds());
+            }
+        }
+        if (lengths.empty()) {
+            return {};
+        }
+        const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+        std::nth_element(lengths.begin(), middle, lengths.end());
+        const double times = heard_.tracks[track].seconds() / *middle;
+        return times < kSlow ? std::string()
+                             : fmt::format(
+                                   "; it is {:.1f} times as long as the others: is it in slow "
+                                   "motion? Film at the usual speed",
+                                   times);
     }
 
     void set_by_hand() {

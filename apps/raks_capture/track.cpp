@@ -19,6 +19,8 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "motion/capture/camera/rig_file.hpp"
+#include "motion/capture/tracking/feet_floor.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"
 
@@ -98,10 +100,8 @@ std::string cost_of(const capture::Tracks& tracks, double cpu) {
 }
 
 std::string summary_of(const capture::Tracks& tracks) {
-    std::size_t lost = 0;
     std::size_t filled = 0;
     for (const capture::MarkerPlace& place : tracks.places) {
-        lost += place.source == capture::PlaceSource::lost ? 1U : 0U;
         filled += place.source == capture::PlaceSource::filled ? 1U : 0U;
     }
     const double share = 100.0 / static_cast<double>(tracks.places.size());
@@ -110,16 +110,38 @@ std::string summary_of(const capture::Tracks& tracks) {
         tracks.markers.size(),
         tracks.frame_count,
         share * static_cast<double>(filled),
-        share * static_cast<double>(lost),
+        100.0 * lost_share(tracks),
         tracks.flags.size());
 }
 
-// What arguments say of the method, over what capture.toml says.
-void set_method(const TrackArguments& arguments, const CapturePlan& plan, TrackingGiven& given) {
-    const bool is_by_angles =
-        arguments.method.empty() ? plan.is_by_angles : arguments.method == "angles";
-    if (!is_by_angles) {
-        given.angles.reset();
+// What arguments say of the method; none: what capture.toml says, or follows from the cameras.
+std::optional<TrackingMethod> method_of(const TrackArguments& arguments) {
+    if (arguments.method.empty()) {
+        return std::nullopt;
+    }
+    return arguments.method == "angles" ? TrackingMethod::angles : TrackingMethod::positions;
+}
+
+// Says why a body is followed though nobody asked for it.
+void say_method(const TrackArguments& arguments,
+                const CapturePlan& plan,
+                const TrackingGiven& given) {
+    const std::string too_few = too_few_for_colours(given.markers, given.seen.films.size());
+    if (!too_few.empty()) {
+        say(too_few);
+    } else if (given.angles && arguments.method.empty() && !plan.method) {
+        say(
+            fmt::format("{} cameras cannot tell markers of one colour apart by themselves: the "
+                        "whole body is followed (--method angles)",
+                        given.seen.films.size()));
+    }
+}
+
+// What arguments say of a body that is followed, over what capture.toml says.
+void set_angle_options(const TrackArguments& arguments,
+                       const CapturePlan& plan,
+                       TrackingGiven& given) {
+    if (!given.angles) {
         return;
     }
     capture::AngleTrackerOptions options;
@@ -159,6 +181,27 @@ Expected<FollowedMarkers> follow(TrackingGiven& given) {
     return track_with(given, given.edits);
 }
 
+// Where no board told the floor, the feet do: the rig is put on it, and the markers are followed
+// once more in that world.
+Expected<FollowedMarkers> follow_on_floor(const CapturePlan& plan,
+                                          const FollowedMarkers& before,
+                                          TrackingGiven& given) {
+    const auto levelling =
+        capture::level_by_feet(before.stages.smoothed, given.markers, plan.height);
+    if (!levelling) {
+        say("the floor is not known: no marker of a foot was followed together with one of the "
+            "head "
+            "or trunk");
+        return before;
+    }
+    capture::level(given.rig, *levelling);
+    if (auto written = write_file(plan.file("rig.toml"), capture::rig_text(given.rig)); !written) {
+        return fail(std::move(written.error()));
+    }
+    say("no board told where the floor is: it is guessed from the dancer's feet");
+    return follow(given);
+}
+
 capture::ChromaForm form_named(std::string_view name) {
     return name == "crcb" ? capture::ChromaForm::crcb : capture::ChromaForm::normalised;
 }
@@ -173,7 +216,8 @@ ExitCode track(const TrackArguments& arguments) {
     auto given =
         load_tracking(*plan,
                       arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels,
-                      form_named(arguments.colour));
+                      form_named(arguments.colour),
+                      method_of(arguments));
     if (!given) {
         return stop_signal() ? ExitCode(exit_code_after_signals(kExitPartly))
                              : fail(std::move(given.error()));
@@ -182,9 +226,13 @@ ExitCode track(const TrackArguments& arguments) {
     given->options.acceleration = arguments.acceleration;
     given->options.smoothing = arguments.smoothing;
     given->options.check_order = !arguments.is_as_named;
-    set_method(arguments, *plan, *given);
+    say_method(arguments, *plan, *given);
+    set_angle_options(arguments, *plan, *given);
     const double cpu_before = cpu_seconds();
-    const auto followed = follow(*given);
+    auto followed = follow(*given);
+    if (followed && given->rig.floor == capture::FloorOrigin::unknown && !stop_signal()) {
+        followed = follow_on_floor(*plan, *followed, *given);
+    }
     if (!followed) {
         return fail(Error(followed.error()).in(arguments.folder.string()));
     }
@@ -200,14 +248,26 @@ ExitCode track(const TrackArguments& arguments) {
     if (followed->angles) {
         say(cost_of(stages.smoothed, cpu));
     }
-    for (const std::string& doubt : track_doubts(stages.smoothed, given->markers)) {
-        say(doubt);
+    for (const auto& doubts : {film_doubts(given->rig, given->seen, given->clocks),
+                               track_doubts(stages.smoothed, given->markers)}) {
+        for (const std::string& doubt : doubts) {
+            say(doubt);
+        }
     }
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }
-    return arguments.truth.empty() ? ExitCode(kExitDone)
-                                   : exit_code_of(print_errors(*given, *followed, arguments.truth));
+    if (!arguments.truth.empty()) {
+        if (auto printed = print_errors(*given, *followed, arguments.truth); !printed) {
+            return fail(std::move(printed.error()));
+        }
+    }
+    const std::string too_much = too_much_lost(stages.smoothed);
+    if (too_much.empty()) {
+        return kExitDone;
+    }
+    say(too_much);
+    return kExitPartly;
 }
 
 }  // namespace raks::apps

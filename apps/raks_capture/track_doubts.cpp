@@ -4,7 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <utility>
+
+#include "base/printable.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -82,7 +86,85 @@ std::string floor_doubt(const capture::Tracks& tracks, const capture::MarkerSet&
         upright < -kLying ? "stands on the head" : "lies all the time");
 }
 
+// The share of places that are known in this way; 0 where there are none.
+double share_of(const capture::Tracks& tracks, capture::PlaceSource source) {
+    const auto count = std::count_if(
+        tracks.places.begin(), tracks.places.end(), [source](const capture::MarkerPlace& place) {
+            return place.source == source;
+        });
+    return static_cast<double>(count) /
+           static_cast<double>(std::max<std::size_t>(tracks.places.size(), 1));
+}
+
+// Films that end long before the one that ends last.
+std::vector<std::string> short_films(const capture::Observations& seen,
+                                     const std::vector<capture::Clock>& clocks) {
+    constexpr double kEarly = 1.0;  // seconds
+    std::vector<std::pair<const capture::SeenFilm*, double>> ends;
+    double last = -std::numeric_limits<double>::infinity();
+    for (const capture::SeenFilm& film : seen.films) {
+        const auto clock = std::find_if(clocks.begin(), clocks.end(), [&film](const auto& one) {
+            return one.camera == film.camera;
+        });
+        if (clock != clocks.end() && !film.pictures.empty()) {
+            ends.emplace_back(&film, clock->capture_time(film.pictures.back().time));
+            last = std::max(last, ends.back().second);
+        }
+    }
+    std::vector<std::string> doubts;
+    for (const auto& [film, end] : ends) {
+        if (end < last - kEarly) {
+            doubts.push_back(
+                fmt::format("the film of camera \"{}\" ends {:.1f} s before the "
+                            "last one: what follows is seen by the others alone",
+                            printable(film->camera),
+                            last - end));
+        }
+    }
+    return doubts;
+}
+
 }  // namespace
+
+std::vector<std::string> film_doubts(const capture::Rig& rig,
+                                     const capture::Observations& seen,
+                                     const std::vector<capture::Clock>& clocks) {
+    std::vector<std::string> doubts = short_films(seen, clocks);
+    std::vector<double> used(rig.cameras.size());
+    for (const capture::SeenFilm& film : seen.films) {
+        const auto camera = rig.index_of(film.camera);
+        for (std::size_t i = 0; camera && i < film.pictures.size(); ++i) {
+            const capture::Lens& lens = rig.cameras[*camera].lens;
+            for (const capture::Detection& spot : film.pictures[i].detections) {
+                used[*camera] = std::max(used[*camera],
+                                         glm::distance(spot.pixel, glm::dvec2(lens.cx, lens.cy)));
+            }
+        }
+    }
+    for (std::string& doubt : capture::folding_doubts(rig, used)) {
+        doubts.push_back(std::move(doubt));
+    }
+    return doubts;
+}
+
+double lost_share(const capture::Tracks& tracks) {
+    return share_of(tracks, capture::PlaceSource::lost);
+}
+
+std::string too_much_lost(const capture::Tracks& tracks) {
+    constexpr double kMostLost = 0.2;
+    constexpr double kMostUnseen = 0.5;
+    const double lost = lost_share(tracks);
+    const double unseen = lost + share_of(tracks, capture::PlaceSource::filled);
+    if (lost <= kMostLost && unseen <= kMostUnseen) {
+        return {};
+    }
+    return fmt::format(
+        "{:.0f} % of the places are lost{}: no dance can be learnt from these "
+        "tracks; film with more cameras, or look at report.html for what is not seen",
+        100.0 * (lost > kMostLost ? lost : unseen),
+        lost > kMostLost ? "" : " or filled in");
+}
 
 std::vector<std::string> track_doubts(const capture::Tracks& tracks,
                                       const capture::MarkerSet& markers) {

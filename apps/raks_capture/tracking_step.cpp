@@ -9,7 +9,11 @@ namespace raks::apps {
 
 Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                                       const std::filesystem::path& labels_file,
-                                      capture::ChromaForm form) {
+                                      capture::ChromaForm form,
+                                      std::optional<TrackingMethod> method) {
+    if (auto checked = check_cameras(plan); !checked) {
+        return fail(std::move(checked.error()));
+    }
     auto rig = load_capture_rig(plan);
     auto markers = load_markers(plan);
     auto clocks = load_clocks(plan);
@@ -40,7 +44,7 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
     given.options.first_time = plan.start;
     given.options.height = plan.height;
     given.options.check_order = false;
-    if (plan.is_by_angles) {
+    if (is_body_followed(method ? method : plan.method, given.markers, given.seen.films.size())) {
         given.angles.emplace();
         given.angles->body =
             plan.is_paper_body ? capture::BodyKind::paper : capture::BodyKind::dance;

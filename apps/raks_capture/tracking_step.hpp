@@ -21,15 +21,17 @@ struct TrackingGiven {
     std::vector<capture::MarkerLabel> labels;
     std::vector<capture::Edit> edits;
     capture::TrackerOptions options;  ///< by capture.toml; the order of the films is not checked
-    /// By capture.toml: the markers are followed by the angles of a body. None: each by itself.
+    /// The markers are followed by the angles of a body. None: each by itself.
     std::optional<capture::AngleTrackerOptions> angles;
 };
 
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be
-/// done. Errors: those of the files, and of seen_by_cameras.
+/// done. `method`: before what capture.toml says. Errors: those of the files, and of
+/// seen_by_cameras.
 [[nodiscard]] Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                                                     const std::filesystem::path& labels,
-                                                    capture::ChromaForm form);
+                                                    capture::ChromaForm form,
+                                                    std::optional<TrackingMethod> method = {});
 
 /// What was followed.
 struct FollowedMarkers {

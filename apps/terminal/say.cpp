@@ -173,6 +173,12 @@ void ProgressLine::show(const std::string& text) {
     std::fflush(lines());
 }
 
+void ProgressLine::reached(std::string_view line) {
+    if (!is_terminal_) {
+        say(line);
+    }
+}
+
 std::string time_in_words(double seconds) {
     const auto whole = static_cast<long>(std::lround(std::clamp(seconds, 0.0, 1e9)));
     if (whole < 60) {

@@ -56,6 +56,8 @@ class ProgressLine {
     void show(double share);
     /// Shows any short text.
     void show(const std::string& text);
+    /// A part is done: a line for those who do not see the progress, since stderr is no terminal.
+    void reached(std::string_view line);
 
  private:
     std::string what_;

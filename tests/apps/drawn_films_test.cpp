@@ -168,6 +168,14 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
         const auto found = detect_in_films(films, markers_, labels);
         return found ? "" : found.error().message;
     };
+    // Before a label is blamed, the films are tried in another order.
+    std::vector<CameraFilm> exchanged = films;
+    std::swap(exchanged[0].path, exchanged[2].path);
+    const auto mixed = detect_in_films(exchanged, markers_, clean_.labels);
+    ASSERT_FALSE(mixed);
+    EXPECT_NE(mixed.error().message.find("the film of camera \"cam1\" fits the place of \"cam3\""),
+              std::string::npos)
+        << mixed.error().message;
     const std::string camera = rig_.cameras[0].name;
     const std::string marker = markers_.markers[0].name;
     EXPECT_NE(error_with({"nobody", 0, marker, {5.0, 5.0}}).find("camera \"nobody\""),
@@ -185,6 +193,37 @@ TEST_F(DrawnFilms, whose_labels_are_wrong_are_refused_in_one_line) {
     EXPECT_TRUE(std::any_of(found->doubts.begin(), found->doubts.end(), [](const auto& doubt) {
         return doubt.find("outside of the picture") != std::string::npos;
     }));
+    // What was kept of a film is taken as it is; the others are handed over once they are whole.
+    const std::vector<capture::SeenFilm> kept = {{rig_.cameras[1].name, {{0.5, {}}}}};
+    std::vector<std::string> read;
+    const auto rest = detect_in_films(
+        films,
+        markers_,
+        clean_.labels,
+        {.kept = kept, .take_film = [&](std::size_t, const capture::SeenFilm& film) {
+             read.push_back(film.camera);
+             return Expected<void>();
+         }});
+    ASSERT_TRUE(rest) << rest.error().message;
+    std::sort(read.begin(), read.end());
+    EXPECT_EQ(read, (std::vector<std::string>{rig_.cameras[0].name, rig_.cameras[2].name}));
+    EXPECT_EQ(rest->seen.films[1], kept[0]);
+    // A marker that lies behind another one shows that one's colour: its label is no lesson, and
+    // true.
+    const auto nearer =
+        std::find_if(clean_.labels.begin(), clean_.labels.end(), [&](const auto& label) {
+            return label.camera == camera && label.picture == 0 &&
+                   markers_.markers[*markers_.index_of(label.marker)].colour !=
+                       markers_.markers[0].colour;
+        });
+    ASSERT_NE(nearer, clean_.labels.end());
+    std::vector<capture::MarkerLabel> hidden = clean_.labels;
+    hidden.push_back({camera, 0, marker, nearer->pixel + glm::dvec2(1.0, 0.0)});
+    const auto behind = detect_in_films(films, markers_, hidden);
+    ASSERT_TRUE(behind) << behind.error().message;
+    for (const std::string& doubt : behind->doubts) {
+        EXPECT_EQ(doubt.find("shows another colour"), std::string::npos) << doubt;
+    }
     const auto only = detect_in_films(
         std::span(films).first(1), markers_, std::vector(labels.end() - 2, labels.end()));
     ASSERT_FALSE(only);

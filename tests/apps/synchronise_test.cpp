@@ -167,22 +167,32 @@ TEST_F(Synchronise, cameras_that_hear_nothing_are_named_and_the_others_go_on) {
     write(films() / "silent.wav", std::vector<float>(kSampleRate * 10));
     write(films() / "short.wav", std::vector<float>(music_.begin(), music_.begin() + kSampleRate));
     ASSERT_TRUE(write_file(films() / "broken.mp4", "no film"));
+    std::vector<float> slow;  // twice as slow as it was
+    for (std::size_t i = 0; i < static_cast<std::size_t>(kSeconds * kSampleRate); ++i) {
+        slow.insert(slow.end(), {music_[i], music_[i]});
+    }
+    write(films() / "slow.wav", slow);
     plan({"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav"});
     EXPECT_EQ(run({.folder = films().string()}), kExitPartly);
     ASSERT_EQ(written_clocks().size(), 2U);
 
     SyncPlan plan;
-    for (const char* const name : {"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav"}) {
+    for (const char* const name :
+         {"a.wav", "b.wav", "broken.mp4", "short.wav", "silent.wav", "slow.wav"}) {
         plan.cameras.push_back({name, films() / name});
     }
     const auto result = synchronise(plan);
     ASSERT_TRUE(result);
     EXPECT_FALSE(result->is_whole);
-    ASSERT_EQ(result->warnings.size(), 3U);
+    ASSERT_EQ(result->warnings.size(), 4U);
     EXPECT_NE(result->warnings[0].find("broken.mp4"), std::string::npos);
     EXPECT_NE(result->warnings[1].find("short.wav: 1.0 s of sound are too short"),
               std::string::npos);
     EXPECT_NE(result->warnings[2].find("silent.wav: its sound is silent"), std::string::npos);
+    EXPECT_NE(result->warnings[3].find("slow.wav"), std::string::npos);
+    EXPECT_NE(result->warnings[3].find("2.0 times as long as the others: is it in slow motion?"),
+              std::string::npos)
+        << result->warnings[3];
 }
 
 TEST_F(Synchronise, music_that_no_camera_heard_is_said) {

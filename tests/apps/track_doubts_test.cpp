@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "motion/capture/studio/point_studio.hpp"
 
 #include <glm/mat3x3.hpp>
 
@@ -47,6 +51,44 @@ TEST(TrackDoubts, name_markers_that_are_lost) {
     ASSERT_EQ(doubts.size(), 1U);
     EXPECT_TRUE(doubts[0].starts_with("lost most of the time: " + tracks.markers[1] + ":"))
         << doubts[0];
+}
+
+TEST(TrackDoubts, tell_when_too_much_is_lost_to_learn_from) {
+    capture::Tracks tracks = standing(kUpright);
+    EXPECT_EQ(lost_share(tracks), 0.0);
+    EXPECT_TRUE(too_much_lost(tracks).empty());
+    for (std::size_t i = 0; i < tracks.places.size(); i += 4) {
+        tracks.places[i] = {};
+    }
+    EXPECT_NEAR(lost_share(tracks), 0.25, 0.01);
+    EXPECT_TRUE(too_much_lost(tracks).starts_with("25 % of the places are lost"))
+        << too_much_lost(tracks);
+    for (capture::MarkerPlace& place : tracks.places) {
+        place.source = capture::PlaceSource::filled;
+    }
+    EXPECT_EQ(lost_share(tracks), 0.0);
+    EXPECT_TRUE(too_much_lost(tracks).starts_with("100 % of the places are lost or filled in"))
+        << too_much_lost(tracks);
+}
+
+TEST(TrackDoubts, name_a_film_that_ends_long_before_the_others) {
+    capture::Observations seen;
+    std::vector<capture::Clock> clocks;
+    for (const auto& [name, seconds] :
+         {std::pair("a", 60), std::pair("b", 21), std::pair("c", 60)}) {
+        capture::SeenFilm film{name, {}};
+        for (int i = 0; i <= seconds; ++i) {
+            film.pictures.push_back({static_cast<double>(i), {}});
+        }
+        seen.films.push_back(film);
+        clocks.push_back({name, 0.5, 0.0, 1.0});
+    }
+    capture::Rig rig = capture::studio_rig(3);
+    const auto doubts = film_doubts(rig, seen, clocks);
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_TRUE(doubts[0].starts_with("the film of camera \"b\" ends 39.0 s before")) << doubts[0];
+    clocks[1].offset = 39.2;  // it began later, and ends with the others
+    EXPECT_TRUE(film_doubts(rig, seen, clocks).empty());
 }
 
 TEST(TrackDoubts, tell_a_world_that_is_upside_down_or_on_its_side) {

@@ -43,7 +43,7 @@ bool read_lens_file(std::string_view text) {
     }
     const auto again = capture::parse_lens_yaml(capture::lens_yaml_text(*lens), "y.yml");
     must(again && *again == *lens);
-    static_cast<void>(capture::is_monotonic(*lens));
+    static_cast<void>(capture::folding_radius(*lens));
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -112,7 +113,56 @@ RigidMotion by_all_cameras(const Rig& rig,
     return place;
 }
 
+// Where the lines of sight of all cameras come nearest to one another.
+glm::dvec3 middle_of_sights(const Rig& rig) {
+    constexpr double kLeaning = 1e-3;  // towards the cameras, for lines that are nearly parallel
+    glm::dmat3 across(0.0);
+    glm::dvec3 sum{};
+    for (const Camera& camera : rig.cameras) {
+        const glm::dvec3 sight = glm::transpose(camera.rotation)[2];
+        const glm::dmat3 beside = glm::dmat3(1.0 + kLeaning) - glm::outerProduct(sight, sight);
+        across += beside;
+        sum += beside * camera.centre();
+    }
+    return glm::inverse(across) * sum;
+}
+
 }  // namespace
+
+std::string lying_board_size(const Rig& rig, const Board& board) {
+    // find_lying_board reads the markers of squares that are so high in the picture, not of those
+    // that are a quarter lower (docs/measurements/capture.md).
+    constexpr double kHighEnough = 8.0;    // pixels
+    constexpr double kLowestCamera = 1.4;  // metres
+    constexpr double kMillimetres = 1000.0;
+    const glm::dvec3 middle = middle_of_sights(rig);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Camera& camera : rig.cameras) {
+        lowest = std::min(lowest, camera.centre().y);
+    }
+    std::string sizes;
+    double highest = 1e-6;  // pixels
+    for (const Camera& camera : rig.cameras) {
+        const glm::dvec3 centre = camera.centre();
+        const double height = centre.y - lowest + kLowestCamera;
+        const double distance = std::hypot(centre.x - middle.x, centre.z - middle.z, height);
+        const double across = camera.lens.fx * board.square / distance;
+        const double down = across * height / distance;
+        sizes += fmt::format("{}{:.0f} x {:.0f} pixels in \"{}\"",
+                             sizes.empty() ? "" : ", ",
+                             across,
+                             down,
+                             printable(camera.name));
+        highest = std::max(highest, down);
+    }
+    return fmt::format(
+        "a square of {:.0f} mm that lies in the middle is about {}; {:.0f} high are "
+        "needed in one of them: squares of {:.0f} mm or more, sharp and in light",
+        kMillimetres * board.square,
+        sizes,
+        kHighEnough,
+        std::ceil(kMillimetres * board.square * std::max(1.0, kHighEnough / highest)));
+}
 
 Expected<void> put_on_floor(Rig& rig, const Board& board, const std::vector<Sighting>& seen) {
     std::optional<RigidMotion> best;

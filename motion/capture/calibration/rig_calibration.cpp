@@ -130,6 +130,7 @@ void guess_floor(Rig& rig) {
     glm::dvec3 x = glm::cross(forward, up);
     x = glm::length(x) > 1e-6 ? glm::normalize(x) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dmat3 rotation = glm::transpose(glm::dmat3(x, up, glm::cross(x, up)));
+    rig.floor = FloorOrigin::unknown;
     double lowest = 1e9;
     for (Camera& camera : rig.cameras) {
         camera.rotation = camera.rotation * glm::transpose(rotation);
@@ -140,25 +141,48 @@ void guess_floor(Rig& rig) {
     }
 }
 
-Expected<void> find_floor(const Board& board,
-                          const std::vector<Sighting>& sightings,
-                          const CalibrationSettings& settings,
-                          RigCalibration& calibration) {
+void find_floor(const Board& board,
+                const std::vector<Sighting>& sightings,
+                const CalibrationSettings& settings,
+                RigCalibration& calibration) {
     if (!settings.floor_moment) {
         guess_floor(calibration.rig);
         calibration.doubts.emplace_back(
             "no floor: lay the board on it for a moment and say when; until then up is the "
-            "cameras' "
-            "mean up, and heights are not true");
-        return {};
+            "cameras' mean up, and the floor is guessed from the feet");
+        return;
     }
     std::vector<Sighting> seen;
     std::copy_if(
         sightings.begin(), sightings.end(), std::back_inserter(seen), [&](const auto& one) {
             return one.moment == *settings.floor_moment;
         });
-    calibration.has_floor = true;
-    return put_on_floor(calibration.rig, board, seen);
+    const auto found = put_on_floor(calibration.rig, board, seen);
+    calibration.has_floor = found.has_value();
+    if (found) {
+        return;
+    }
+    guess_floor(calibration.rig);
+    calibration.doubts.push_back(
+        fmt::format("no floor: {}; until then up is the cameras' mean up, and the floor is guessed "
+                    "from the feet",
+                    found.error().message));
+    if (seen.empty()) {
+        calibration.doubts.push_back(lying_board_size(calibration.rig, board));
+    }
+}
+
+// How far from the middle of its picture each camera saw a corner of the board; pixels.
+std::vector<double> used_radii(const Rig& rig, const std::vector<Sighting>& sightings) {
+    std::vector<double> radii(rig.cameras.size());
+    for (const Sighting& sighting : sightings) {
+        const Lens& lens = rig.cameras[sighting.camera].lens;
+        for (const BoardCorner& corner : sighting.corners) {
+            radii[sighting.camera] = std::max(
+                radii[sighting.camera], glm::distance(corner.pixel, glm::dvec2(lens.cx, lens.cy)));
+        }
+    }
+    return radii;
 }
 
 std::vector<std::string> names_of(const std::vector<FilmedCamera>& cameras) {
@@ -180,7 +204,9 @@ Expected<RigCalibration> calibrate_rig(const Board& board,
         return fail(checked.error());
     }
     if (cameras.size() < 2) {
-        return fail(fmt::format("{} camera, two or more are needed", cameras.size()));
+        return fail(cameras.empty()
+                        ? "no camera; two or more are needed"
+                        : "one camera is too few: where something is, two or more tell");
     }
     const Shares shares = shares_of(sightings, settings);
     RigCalibration calibration{.rig = {},
@@ -219,14 +245,12 @@ Expected<RigCalibration> calibrate_rig(const Board& board,
         calibration.doubts.push_back(std::move(line));
     }
     doubt_contradictions(board, calibration);
-    if (const auto found = find_floor(board, sightings, settings, calibration); !found) {
-        return fail(found.error());
-    }
+    find_floor(board, sightings, settings, calibration);
     if (const auto checked = check_rig(rig); !checked) {
         return fail(checked.error());
     }
-    for (std::string& doubt : rig_doubts(rig)) {
-        calibration.doubts.push_back(std::move(doubt));
+    for (auto& doubts : {rig_doubts(rig), folding_doubts(rig, used_radii(rig, sightings))}) {
+        calibration.doubts.insert(calibration.doubts.end(), doubts.begin(), doubts.end());
     }
     return calibration;
 }

@@ -29,7 +29,8 @@ struct CalibrationSettings {
     /// Each so many-th moment that two or more cameras share is held out, to be measured by; at
     /// least 2.
     std::size_t held_out_every = 5;
-    /// Where the board lay on the floor. None: the floor stays unknown.
+    /// Where the board lay on the floor. None, or no camera saw it there: the floor stays unknown,
+    /// and the doubts say so.
     std::optional<std::size_t> floor_moment;
 };
 
@@ -58,7 +59,7 @@ struct RigCalibration {
 /// Calibrates: the lens of each camera, the cameras by shared views, then all together with rigid
 /// boards; then the floor. `sightings`: what was seen at once has the same moment. Errors, one line
 /// that says what to film: fewer than two cameras; a camera that saw no board, or too few or too
-/// similar ones; cameras that shared views do not join; no floor where one is asked for.
+/// similar ones; cameras that shared views do not join.
 /// The same input gives the same bits. Threads: any; it uses one. Real-time: no (seconds).
 [[nodiscard]] Expected<RigCalibration> calibrate_rig(const Board& board,
                                                      const std::vector<FilmedCamera>& cameras,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -92,7 +93,8 @@ glm::dvec2 direction_of(const Lens& lens, const glm::dvec2& pixel) noexcept {
     return best;
 }
 
-bool is_monotonic(const Lens& lens) noexcept {
+double folding_radius(const Lens& lens) noexcept {
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
     const double x = std::max(lens.cx, lens.width - 1 - lens.cx) / lens.fx;
     const double y = std::max(lens.cy, lens.height - 1 - lens.cy) / lens.fy;
     const double corner = std::hypot(x, y);
@@ -103,14 +105,14 @@ bool is_monotonic(const Lens& lens) noexcept {
         const double r = 2.0 * corner * i / kSteps;
         const double radius = radial_radius(lens.distortion, r);
         if (!(radius > before)) {
-            return false;
+            return 0.5 * (lens.fx + lens.fy) * before;
         }
         if (radius >= corner) {
-            return true;
+            return kNowhere;
         }
         before = radius;
     }
-    return true;
+    return kNowhere;
 }
 
 std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& world) {

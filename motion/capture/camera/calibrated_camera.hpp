@@ -62,9 +62,10 @@ struct Camera {
 /// monotonic there) the nearest found is given.
 [[nodiscard]] glm::dvec2 direction_of(const Lens& lens, const glm::dvec2& pixel) noexcept;
 
-/// Whether the distortion grows with the angle everywhere in the picture, so that each pixel has
-/// one direction.
-[[nodiscard]] bool is_monotonic(const Lens& lens) noexcept;
+/// How far from the principal point the distortion grows with the angle, so that each pixel has
+/// one direction; pixels of the mean focal length. Infinite: in the whole picture. Beyond it the
+/// lens folds over.
+[[nodiscard]] double folding_radius(const Lens& lens) noexcept;
 
 /// The pixel of a world point, which may lie outside of the picture. None: it is behind the camera.
 [[nodiscard]] std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& world);

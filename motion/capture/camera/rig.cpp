@@ -126,9 +126,9 @@ std::optional<std::size_t> Rig::index_of(std::string_view name) const noexcept {
 
 Expected<void> check_rig(const Rig& rig) {
     if (rig.cameras.size() < 2) {
-        return fail(fmt::format("the rig has {} camera{}; two or more are needed",
-                                rig.cameras.size(),
-                                rig.cameras.size() == 1 ? "" : "s"));
+        return fail(rig.cameras.size() == 1
+                        ? "one camera is too few: where something is, two or more tell"
+                        : "the rig has no camera; two or more are needed");
     }
     for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
         const Camera& camera = rig.cameras[i];
@@ -152,12 +152,6 @@ std::vector<std::string> rig_doubts(const Rig& rig) {
         if (const std::string fault = off_centre(camera.lens); !fault.empty()) {
             doubts.push_back(fmt::format("camera \"{}\": {}", name, fault));
         }
-        if (!is_monotonic(camera.lens)) {
-            doubts.push_back(fmt::format(
-                "camera \"{}\": its distortion folds over inside the picture; calibrate with the "
-                "board in its corners, too, and with 5 coefficients",
-                name));
-        }
         if (camera.centre().y < 0.0) {
             below.push_back('"' + name + '"');
             deepest = std::max(deepest, -camera.centre().y);
@@ -171,6 +165,23 @@ std::vector<std::string> rig_doubts(const Rig& rig) {
                         fmt::join(below, ", "),
                         below.size() == 1 ? "stands" : "stand",
                         deepest));
+    }
+    return doubts;
+}
+
+std::vector<std::string> folding_doubts(const Rig& rig, const std::vector<double>& used) {
+    std::vector<std::string> doubts;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        const double radius = folding_radius(rig.cameras[i].lens);
+        if (used[i] > radius) {
+            doubts.push_back(fmt::format(
+                "camera \"{}\": its distortion folds over {:.0f} pixels from the middle, and what "
+                "it sees reaches {:.0f}; calibrate with the board in its corners, too, and with 5 "
+                "coefficients",
+                printable(rig.cameras[i].name),
+                radius,
+                used[i]));
+        }
     }
     return doubts;
 }

@@ -233,6 +233,15 @@ RigReading stated(const toml::table& document, TomlComplaints& complaints) {
     return reading;
 }
 
+// How a file of ours knows its floor.
+FloorOrigin stated_floor(const toml::table& document, TomlComplaints& complaints) {
+    constexpr std::array<std::string_view, 3> kOrigins = {"known", "unknown", "feet"};
+    const toml::table* const metadata = document["metadata"].as_table();
+    const toml::node* const floor = metadata != nullptr ? metadata->get("floor") : nullptr;
+    return floor != nullptr ? static_cast<FloorOrigin>(complaints.word(*floor, "floor", kOrigins))
+                            : FloorOrigin::known;
+}
+
 // Whether a file of ours can say what this camera is.
 bool is_in_range(const Camera& camera) {
     const auto is_within = [](double value) {
@@ -336,6 +345,7 @@ Expected<RigFile> parse_rig(std::string_view text,
     RigFile file;
     RigReader reader(complaints, file.notes);
     const RigReading said = stated(*document, complaints);
+    file.rig.floor = stated_floor(*document, complaints);
     for (const CameraTable& table : tables) {
         if (auto camera = reader.camera(table)) {
             file.rig.cameras.push_back(std::move(*camera));
@@ -386,7 +396,12 @@ std::string rig_text(const Rig& rig) {
             array_text({shift.x, shift.y, shift.z}),
             rows_text(camera.rotation));
     }
-    return text + "[metadata]\nunit = \"m\"\nup = \"y\"\n";
+    text += "[metadata]\nunit = \"m\"\nup = \"y\"\n";
+    if (rig.floor != FloorOrigin::known) {
+        text +=
+            fmt::format("floor = \"{}\"\n", rig.floor == FloorOrigin::unknown ? "unknown" : "feet");
+    }
+    return text;
 }
 
 }  // namespace raks::capture

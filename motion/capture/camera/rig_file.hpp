@@ -25,6 +25,7 @@
 ///     [metadata]
 ///     unit = "m"                    # ours: or "mm"
 ///     up = "y"                      # ours: or "z"
+///     floor = "unknown"             # ours: or "feet"; left out: y = 0
 ///
 /// Threads: any. Real-time: no.
 namespace raks::capture {

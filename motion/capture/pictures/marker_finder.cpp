@@ -9,17 +9,21 @@
 
 #include "motion/capture/pictures/waist.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace raks::capture {
 namespace {
 
-constexpr std::size_t kMostModels = 64;  // bits of a cell
-constexpr int kCells = 512;              // of the chroma plane's table, in each direction
-constexpr double kLeastWeight = 0.2;     // of a pixel at the gate
-constexpr std::uint8_t kMayBe = 128;     // of a mark, beside the colour
-constexpr double kDarkestShade = 8.0;    // luma of a pixel that may have a colour
-constexpr double kSensorNoise = 1.5;     // grey levels of Cr and Cb, sd
+constexpr std::size_t kMostModels = 64;
+constexpr int kLevelBits = 2;  // grey levels that a cell of the RGB cube spans in each channel
+constexpr int kCellBits = 8 - kLevelBits;
+constexpr int kCells = 1 << kCellBits;
+constexpr double kMostWandering = 0.2;  // standard deviations, of a mean before cells are told anew
+constexpr double kLeastWeight = 0.2;    // of a pixel at the gate
+constexpr std::uint8_t kMayBe = 128;    // of a mark, beside the colour
+constexpr double kDarkestShade = 8.0;   // luma of a pixel that may have a colour
+constexpr double kSensorNoise = 1.5;    // grey levels of Cr and Cb, sd
 
 // The variance that the sensor's noise gives the normalised chroma of a pixel of this luma.
 double noise2_of(double luma, ChromaForm form) noexcept {
@@ -37,14 +41,12 @@ bool has_hue(const glm::dvec2& chroma, const ColourModel& model) noexcept {
            glm::dot(chroma, model.mean) > kSameHue * length * full;
 }
 
-// The cell of a chroma; what lies outside of the table is at its border.
-int cell_along(double chroma, ChromaForm form) noexcept {
-    const double grey = form == ChromaForm::crcb ? 128.0 : 0.0;
-    return static_cast<int>(std::clamp(chroma - grey + 0.5 * kCells, 0.0, kCells - 1.0));
-}
-
-std::size_t cell_index(int x, int y) noexcept {
-    return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
+// The cell of the RGB cube that a pixel lies in.
+std::size_t cell_of(const std::uint8_t* rgb) noexcept {
+    const unsigned red = rgb[0] >> kLevelBits;
+    const unsigned green = rgb[1] >> kLevelBits;
+    const unsigned blue = rgb[2] >> kLevelBits;
+    return (red << (2 * kCellBits)) + (green << kCellBits) + blue;
 }
 
 std::size_t pixel_index(const PictureView& picture, int x, int y) noexcept {
@@ -119,32 +121,67 @@ Expected<MarkerFinder> MarkerFinder::create(std::vector<ColourModel> models,
 
 MarkerFinder::MarkerFinder(std::vector<ColourModel> models, const FinderOptions& options)
     : models_(std::move(models)), options_(options) {
-    fill_table();
+    fill_candidates();
 }
 
-// The box around each colour's ellipse: most pixels of a picture lie in none.
-void MarkerFinder::fill_table() {
-    table_.assign(std::size_t{kCells} * kCells, 0);
-    for (std::size_t i = 0; i < models_.size(); ++i) {
-        const ColourModel& model = models_[i];
-        const double noise2 = noise2_of(kDarkestShade, model.form);
-        const double x = std::sqrt(options_.gate * (model.covariance[0][0] + noise2));
-        const double y = std::sqrt(options_.gate * (model.covariance[1][1] + noise2));
-        for (int row = cell_along(model.mean.y - y, model.form);
-             row <= cell_along(model.mean.y + y, model.form);
-             ++row) {
-            for (int column = cell_along(model.mean.x - x, model.form);
-                 column <= cell_along(model.mean.x + x, model.form);
-                 ++column) {
-                table_[cell_index(column, row)] |= std::uint64_t{1} << i;
-            }
-        }
+// Whether a colour may lie in a cell of the RGB cube, also once its mean has wandered: each
+// colour's ellipse against the box around the cell's chroma, which is greatest and least at its
+// corners. Most pixels of a picture are told from this alone.
+void MarkerFinder::fill_candidates() {
+    const ChromaForm form = models_.front().form;
+    candidates_.assign(std::size_t{kCells} * kCells * kCells, 0);
+    means_.clear();
+    for (const ColourModel& model : models_) {
+        means_.push_back(model.mean);
     }
+    for (int cell = 0; cell < kCells * kCells * kCells; ++cell) {
+        std::uint8_t low[3]{};
+        std::uint8_t high[3]{};
+        for (int channel = 0; channel < 3; ++channel) {
+            const int at = cell >> (kCellBits * (2 - channel)) & (kCells - 1);
+            low[channel] = static_cast<std::uint8_t>(at << kLevelBits);
+            high[channel] = static_cast<std::uint8_t>(low[channel] + (1 << kLevelBits) - 1);
+        }
+        candidates_[static_cast<std::size_t>(cell)] =
+            form == ChromaForm::normalised && is_burnt_out(high) ? 1 : may_have_colour(low, high);
+    }
+}
+
+std::uint8_t MarkerFinder::may_have_colour(const std::uint8_t* low,
+                                           const std::uint8_t* high) const noexcept {
+    const ChromaForm form = models_.front().form;
+    if (form == ChromaForm::normalised && LumaChroma::of(high).y < kDarkestShade) {
+        return 0;
+    }
+    glm::dvec2 least(1e9);
+    glm::dvec2 most(-1e9);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const std::uint8_t rgb[3] = {(corner & 1U) != 0 ? high[0] : low[0],
+                                     (corner & 2U) != 0 ? high[1] : low[1],
+                                     (corner & 4U) != 0 ? high[2] : low[2]};
+        const glm::dvec2 chroma = plain_chroma(LumaChroma::of(rgb), form);
+        least = glm::min(least, chroma);
+        most = glm::max(most, chroma);
+    }
+    const glm::dvec2 middle = 0.5 * (least + most);
+    const glm::dvec2 half = 0.5 * (most - least);
+    const double noise2 = noise2_of(std::max(LumaChroma::of(low).y, kDarkestShade), form);
+    const bool is_near = std::any_of(models_.begin(), models_.end(), [&](const ColourModel& model) {
+        // No chroma of the cell is nearer to the mean than the middle less the way to it.
+        const double way =
+            std::sqrt(std::max(model.distance2(model.mean + half, noise2),
+                               model.distance2(model.mean + glm::dvec2(half.x, -half.y), noise2)));
+        return std::sqrt(model.distance2(middle, noise2)) - way <=
+               std::sqrt(options_.gate) + kMostWandering;
+    });
+    return is_near ? 1 : 0;
 }
 
 void MarkerFinder::adapt_colour(std::size_t colour, const glm::dvec2& seen_mean, double rate) {
     adapt(models_[colour], seen_mean, rate);
-    fill_table();
+    if (models_[colour].distance2(means_[colour]) > kMostWandering * kMostWandering) {
+        fill_candidates();
+    }
 }
 
 // The nearest colour in whose gate the pixel lies, and whether it only may be of it.
@@ -153,22 +190,16 @@ std::uint8_t MarkerFinder::mark_of(const std::uint8_t* rgb) const noexcept {
     const LumaChroma pixel = LumaChroma::of(rgb);
     const glm::dvec2 chroma = plain_chroma(pixel, form);
     const bool is_burnt = form == ChromaForm::normalised && is_burnt_out(rgb);
-    // Burnt out, a colour may have become any paler one.
-    std::uint64_t left =
-        is_burnt ? ~std::uint64_t{0} >> (kMostModels - models_.size())
-                 : table_[cell_index(cell_along(chroma.x, form), cell_along(chroma.y, form))];
-    if (left == 0 || (form == ChromaForm::normalised && pixel.y < kDarkestShade)) {
+    if (form == ChromaForm::normalised && pixel.y < kDarkestShade) {
         return 0;
     }
     const bool is_sure = form == ChromaForm::crcb || (pixel.y >= kDarkestLuma && !is_burnt);
     const double noise2 = noise2_of(pixel.y, form);
     double nearest = options_.gate;
     std::uint8_t mark = 0;
-    for (std::size_t i = 0; left != 0; ++i, left >>= 1U) {
-        if ((left & 1U) == 0) {
-            continue;
-        }
+    for (std::size_t i = 0; i < models_.size(); ++i) {
         const ColourModel& model = models_[i];
+        // Burnt out, a colour may have become any paler one.
         const double distance2 = is_burnt && has_hue(chroma, model)
                                      ? 0.5 * options_.gate
                                      : model.distance2(chroma, noise2);
@@ -183,8 +214,10 @@ std::uint8_t MarkerFinder::mark_of(const std::uint8_t* rgb) const noexcept {
 
 void MarkerFinder::classify(const PictureView& picture, const SearchWindow& window) {
     for (int y = window.low.y; y <= window.high.y; ++y) {
-        for (int x = window.low.x; x <= window.high.x; ++x) {
-            map_[pixel_index(picture, x, y)] = mark_of(picture.at(x, y));
+        const std::uint8_t* rgb = picture.at(window.low.x, y);
+        std::uint8_t* mark = &map_[pixel_index(picture, window.low.x, y)];
+        for (int x = window.low.x; x <= window.high.x; ++x, rgb += 3, ++mark) {
+            *mark = candidates_[cell_of(rgb)] != 0 ? mark_of(rgb) : 0;
         }
     }
 }

@@ -63,7 +63,9 @@ class MarkerFinder {
     struct Blob;
 
     MarkerFinder(std::vector<ColourModel> models, const FinderOptions& options);
-    void fill_table();
+    void fill_candidates();
+    [[nodiscard]] std::uint8_t may_have_colour(const std::uint8_t* low,
+                                               const std::uint8_t* high) const noexcept;
     void classify(const PictureView& picture, const SearchWindow& window);
     [[nodiscard]] std::uint8_t mark_of(const std::uint8_t* rgb) const noexcept;
     void collect(const PictureView& picture, const SearchWindow& window, std::vector<Spot>& spots);
@@ -72,7 +74,8 @@ class MarkerFinder {
 
     std::vector<ColourModel> models_;
     FinderOptions options_;
-    std::vector<std::uint64_t> table_;  // by cell of the chroma plane: which colours may be there
+    std::vector<glm::dvec2> means_;         // of the models when candidates_ was filled
+    std::vector<std::uint8_t> candidates_;  // by cell of the RGB cube: whether any colour may be in
     std::vector<std::uint8_t>
         map_;  // by pixel: 0: none; else colour + 1, and whether it only may be
     std::vector<glm::ivec2> pixels_;  // of the newest blob

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/dice.hpp"
+#include "motion/capture/camera/rotation.hpp"
 #include "motion/capture/studio/occlusion.hpp"
 
 #include <glm/geometric.hpp>
@@ -20,11 +21,20 @@ struct FilmedBody {
     std::vector<motion::Capsule> capsules;
 };
 
-FilmedBody body_at(const StudioMotion& motion, const MarkerSet& markers, double time) {
+FilmedBody body_at(const StudioMotion& motion,
+                   const MarkerSet& markers,
+                   double time,
+                   int people = 1) {
     const motion::Pose pose = motion::pose_between(motion.poses, time * motion.frames_per_second);
     const motion::WorldPose world = motion::world_pose(motion.skeleton, pose);
-    return {marker_places(markers, motion.skeleton, world),
-            hiding_capsules(motion.skeleton, world)};
+    FilmedBody body{marker_places(markers, motion.skeleton, world),
+                    hiding_capsules(motion.skeleton, world)};
+    if (people > 1) {
+        const auto others = hiding_capsules(
+            motion.skeleton, motion::world_pose(motion.skeleton, passer_by(motion, time)));
+        body.capsules.insert(body.capsules.end(), others.begin(), others.end());
+    }
+    return body;
 }
 
 bool is_seen(const FilmedBody& body, std::size_t marker, const Camera& camera) {
@@ -42,24 +52,35 @@ struct KnownDetection {
 /// Films with one camera.
 class FilmingCamera {
  public:
-    FilmingCamera(const Camera& camera,
+    FilmingCamera(const StudioMotion& motion,
+                  const Camera& camera,
                   const MarkerSet& markers,
                   const StudioOptions& options,
                   std::size_t index)
-        : camera_(camera),
+        : motion_(motion),
+          camera_(camera),
+          bump_(options.bump_of(index)),
           markers_(markers),
           options_(options),
           classes_(markers.classes()),
           colours_(static_cast<int>(markers.colours().size())),
           dice_(options.seed, 1 + index) {}
 
-    std::vector<KnownDetection> detections_of(const FilmedBody& body) {
+    /// Of the picture at `time` by the camera's own clock.
+    std::vector<KnownDetection> detections_at(double time, const Clock& clock) {
+        if (bump_ && time >= *bump_) {
+            camera_ = bumped(camera_);
+            bump_.reset();
+        }
+        const FilmedBody body =
+            body_at(motion_, markers_, clock.capture_time(time), options_.people);
         std::vector<KnownDetection> found;
         for (std::size_t marker = 0; marker < markers_.markers.size(); ++marker) {
             if (!is_seen(body, marker, camera_) || dice_.chance(options_.drop)) {
                 continue;
             }
-            const glm::dvec2 pixel = *project(camera_, body.markers[marker]) + noise();
+            const glm::dvec2 pixel =
+                rolled(marker, time, clock, *project(camera_, body.markers[marker])) + noise();
             const double depth = camera_.in_camera(body.markers[marker]).z;
             const double radius = camera_.lens.fx * markers_.radius / depth;
             found.push_back({{pixel, classes_[marker], kPi * radius * radius}, marker});
@@ -71,6 +92,20 @@ class FilmingCamera {
 
  private:
     static constexpr double kPi = 3.141592653589793;
+
+    // Where a marker is at the moment at which its row of the picture is read.
+    [[nodiscard]] glm::dvec2 rolled(std::size_t marker,
+                                    double time,
+                                    const Clock& clock,
+                                    const glm::dvec2& pixel) const {
+        if (options_.rolling_shutter <= 0.0) {
+            return pixel;
+        }
+        const double late =
+            options_.rolling_shutter * (pixel.y / (camera_.lens.height - 1.0) - 0.5);
+        const FilmedBody body = body_at(motion_, markers_, clock.capture_time(time + late));
+        return project(camera_, body.markers[marker]).value_or(pixel);
+    }
 
     glm::dvec2 noise() { return {dice_.normal(options_.noise), dice_.normal(options_.noise)}; }
 
@@ -111,7 +146,9 @@ class FilmingCamera {
         }
     }
 
-    const Camera& camera_;
+    const StudioMotion& motion_;
+    Camera camera_;
+    std::optional<double> bump_;
     const MarkerSet& markers_;
     const StudioOptions& options_;
     std::vector<std::size_t> classes_;
@@ -134,21 +171,21 @@ std::vector<Clock> draw_clocks(const Rig& rig, const StudioOptions& options) {
     return clocks;
 }
 
-// A camera of a ring that looks at the dancer.
-Camera on_circle(int index, int cameras, const Lens& lens) {
+// A camera of a ring that looks at the dancer; `apart` as of studio_rig.
+Camera on_circle(int index, int cameras, const Lens& lens, double apart) {
     constexpr double kTurn = 6.283185307179586;
     constexpr double kDistance = 4.0;
-    const double angle = kTurn * (index + 0.5) / cameras;
-    return looking_at(
-        "cam" + std::to_string(index + 1),
-        lens,
-        {kDistance * std::sin(angle), index % 2 == 0 ? 1.55 : 2.25, kDistance * std::cos(angle)},
-        {0.0, 0.95, 0.0});
-}
-
-std::size_t picture_count(const StudioMotion& motion, double rate) {
-    const double seconds = static_cast<double>(motion.poses.size() - 1) / motion.frames_per_second;
-    return static_cast<std::size_t>(std::floor(seconds * rate + 1e-9)) + 1;
+    const bool is_even = index % 2 == 0;
+    double angle = kTurn * (index + 0.5) / cameras;
+    double height = is_even ? 1.55 : 2.25;
+    if (apart > 0.0) {
+        angle = kTurn / 360.0 * apart * (index - 0.5 * (cameras - 1));
+        height = is_even ? 1.35 : 1.5;
+    }
+    return looking_at("cam" + std::to_string(index + 1),
+                      lens,
+                      {kDistance * std::sin(angle), height, kDistance * std::cos(angle)},
+                      {0.0, 0.95, 0.0});
 }
 
 Tracks true_tracks(const StudioMotion& motion,
@@ -198,7 +235,7 @@ std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
         std::vector<FilmedBody> bodies;     // by camera, at the moment of its picture
         for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
             pictures.push_back(picture_at(
-                take.clocks[i], moment, options.frames_per_second, take.truth.frame_count));
+                take.clocks[i], moment, options.rate_of(i), take.seen.films[i].pictures.size()));
             const double time = take.seen.films[i].pictures[pictures.back()].time;
             bodies.push_back(body_at(motion, markers, take.clocks[i].capture_time(time)));
         }
@@ -234,6 +271,34 @@ std::vector<MarkerLabel> first_labels(const StudioMotion& motion,
 
 }  // namespace
 
+std::size_t picture_count(const StudioMotion& motion, double rate) noexcept {
+    const double seconds = static_cast<double>(motion.poses.size() - 1) / motion.frames_per_second;
+    return static_cast<std::size_t>(std::floor(seconds * rate + 1e-9)) + 1;
+}
+
+Camera bumped(const Camera& camera) {
+    constexpr double kDegree = 3.141592653589793 / 180.0;
+    Camera after = camera;
+    const glm::dmat3 turn = rotation_of({-kDegree, 2.0 * kDegree, 0.0});
+    after.rotation = turn * camera.rotation;
+    after.translation = turn * camera.translation;
+    return after;
+}
+
+motion::Pose passer_by(const StudioMotion& motion, double time) {
+    constexpr double kAgo = 2.0;      // seconds
+    constexpr double kThere = 5.0;    // seconds from one side to the other
+    constexpr double kReach = 2.0;    // metres to each side
+    constexpr float kBehind = -0.9F;  // metres
+    motion::Pose pose =
+        motion::pose_between(motion.poses, std::max(0.0, time - kAgo) * motion.frames_per_second);
+    const double phase = std::fmod(std::max(time, 0.0), 2.0 * kThere) / kThere;  // 0 to 2
+    const double along = phase < 1.0 ? phase : 2.0 - phase;
+    pose.hips_position.x = static_cast<float>(kReach * (2.0 * along - 1.0));
+    pose.hips_position.z = kBehind;
+    return pose;
+}
+
 std::vector<glm::dvec3> marker_places(const MarkerSet& markers,
                                       const motion::Skeleton& skeleton,
                                       const motion::WorldPose& world) {
@@ -256,13 +321,13 @@ StudioTake film_points(const StudioMotion& motion,
     take.clocks = draw_clocks(rig, options);
     take.truth = true_tracks(motion, rig, markers, options.frames_per_second);
     for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-        FilmingCamera filming(rig.cameras[i], markers, options, i);
+        FilmingCamera filming(motion, rig.cameras[i], markers, options, i);
         SeenFilm film{rig.cameras[i].name, {}};
-        for (std::size_t k = 0; k < take.truth.frame_count; ++k) {
-            const double time = static_cast<double>(k) / options.frames_per_second;
+        const std::size_t pictures = picture_count(motion, options.rate_of(i));
+        for (std::size_t k = 0; k < pictures; ++k) {
+            const double time = static_cast<double>(k) / options.rate_of(i);
             SeenPicture picture{time, {}};
-            const FilmedBody body = body_at(motion, markers, take.clocks[i].capture_time(time));
-            for (const KnownDetection& known : filming.detections_of(body)) {
+            for (const KnownDetection& known : filming.detections_at(time, take.clocks[i])) {
                 picture.detections.push_back(known.detection);
             }
             film.pictures.push_back(std::move(picture));
@@ -273,17 +338,17 @@ StudioTake film_points(const StudioMotion& motion,
     return take;
 }
 
-Rig studio_rig(int cameras, int width, int height) {
+Rig studio_rig(int cameras, int width, int height, double apart) {
     const double f = 600.0 / 640.0 * width;
     const Lens lens{width, height, f, f, 0.5 * (width - 1), 0.5 * (height - 1), {}};
     Rig rig;
     for (int i = 0; i < cameras; ++i) {
-        rig.cameras.push_back(on_circle(i, cameras, lens));
+        rig.cameras.push_back(on_circle(i, cameras, lens, apart));
     }
     return rig;
 }
 
-Rig unlike_cameras_rig(int cameras, int width, int height) {
+Rig unlike_cameras_rig(int cameras, int width, int height, double apart) {
     Rig rig;
     for (int i = 0; i < cameras; ++i) {
         const double f = 950.0 / 1280.0 * width * (1.0 + 0.04 * std::sin(2.1 * i + 0.7));
@@ -294,7 +359,7 @@ Rig unlike_cameras_rig(int cameras, int width, int height) {
                            0.02 * std::sin(0.9 * i + 1.0),
                            0.0006 * std::sin(3.1 * i),
                            0.0006 * std::cos(1.9 * i)};
-        rig.cameras.push_back(on_circle(i, cameras, lens));
+        rig.cameras.push_back(on_circle(i, cameras, lens, apart));
     }
     return rig;
 }

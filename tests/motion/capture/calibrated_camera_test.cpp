@@ -86,10 +86,18 @@ TEST(Camera, views_of_one_point_lie_on_epipolar_lines) {
 }
 
 TEST(Camera, a_lens_that_folds_over_is_seen) {
-    EXPECT_TRUE(is_monotonic(kLens));
+    EXPECT_TRUE(std::isinf(folding_radius(kLens)));
     Lens folded = kLens;
-    folded.distortion = {-2.0, 0.5};
-    EXPECT_FALSE(is_monotonic(folded));
+    folded.distortion = {-2.0};
+    // r (1 - 2 r^2) is greatest at r = 1 / sqrt(6), and 2 / 3 of that.
+    EXPECT_NEAR(folding_radius(folded), kLens.fx * 2.0 / 3.0 / std::sqrt(6.0), 2.0);
+    // It matters where something is seen beyond.
+    Rig rig = ring(2);
+    rig.cameras[1].lens = folded;
+    const double radius = folding_radius(folded);
+    EXPECT_TRUE(folding_doubts(rig, {1e6, radius - 1.0}).empty());
+    ASSERT_EQ(folding_doubts(rig, {1e6, radius + 1.0}).size(), 1U);
+    EXPECT_NE(folding_doubts(rig, {1e6, radius + 1.0})[0].find("folds over"), std::string::npos);
 }
 
 TEST(Rig, says_what_it_must_not_be) {

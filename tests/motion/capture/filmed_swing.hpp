@@ -48,8 +48,10 @@ inline capture::StudioTake film_swing(const std::vector<motion::Pose>& poses,
 struct FilmedSwing {
     FilmedSwing(double seconds,
                 const capture::StudioOptions& options,
-                capture::MarkerColours colours = capture::MarkerColours::unique)
+                capture::MarkerColours colours = capture::MarkerColours::unique,
+                int cameras = 6)
         : poses(swinging(seconds)),
+          rig(capture::studio_rig(cameras)),
           markers(capture::default_markers(colours)),
           take(film_swing(poses, rig, markers, options)) {}
 
@@ -63,7 +65,7 @@ struct FilmedSwing {
     }
 
     std::vector<motion::Pose> poses;
-    capture::Rig rig = capture::studio_rig();
+    capture::Rig rig;
     capture::MarkerSet markers;
     capture::StudioTake take;
     std::vector<capture::Clock> clocks = take.clocks;

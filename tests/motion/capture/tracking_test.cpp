@@ -43,6 +43,44 @@ TEST(TrackErrors, are_told_without_what_a_turned_and_moved_world_adds) {
     EXPECT_LT(errors.aligned_mean, 1e-9);
 }
 
+TEST(PointStudio, films_with_unlike_cameras) {
+    StudioOptions options{.noise = 0.0};
+    options.rates = {30.0, 30.0, 24.0, 30.0, 30.0, 60.0};
+    options.bumps = {std::nullopt, 2.0};
+    const Scene plain(StudioOptions{.noise = 0.0});
+    const Scene scene(options);
+    const auto& films = scene.take.seen.films;
+    EXPECT_EQ(films[0].pictures.size(), plain.take.seen.films[0].pictures.size());
+    EXPECT_NEAR(static_cast<double>(films[2].pictures.size()), 4.0 * 24.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(films[5].pictures.size()), 4.0 * 60.0, 2.0);
+    // Two degrees aside and one down, in a picture of f 600.
+    const auto shift = [&](std::size_t picture) {
+        return glm::distance(films[1].pictures[picture].detections.front().pixel,
+                             plain.take.seen.films[1].pictures[picture].detections.front().pixel);
+    };
+    EXPECT_EQ(shift(50), 0.0);
+    EXPECT_NEAR(shift(70), 600.0 * std::sqrt(5.0) * 0.01745, 3.0);
+}
+
+TEST(PointStudio, reads_rows_one_after_the_other) {
+    StudioOptions options{.noise = 0.0};
+    options.rolling_shutter = 0.02;
+    const Scene plain(StudioOptions{.noise = 0.0});
+    const Scene scene(options);
+    double most = 0.0;
+    for (std::size_t i = 0; i < 100; ++i) {
+        const auto& one = scene.take.seen.films[0].pictures[i].detections;
+        const auto& other = plain.take.seen.films[0].pictures[i].detections;
+        ASSERT_EQ(one.size(), other.size());
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            // A place moves within 10 ms by 3 cm at most, which is 6 pixels.
+            EXPECT_LT(glm::distance(one[k].pixel, other[k].pixel), 6.0);
+            most = std::max(most, glm::distance(one[k].pixel, other[k].pixel));
+        }
+    }
+    EXPECT_GT(most, 1.0);
+}
+
 TEST(MarkerFilter, is_that_of_textbooks_on_a_line) {
     // A point at constant speed, seen exactly: after a few frames place and speed are known.
     MeasuredPlace seen{{0.0, 1.0, 0.0}, glm::dmat3(1e-6)};

@@ -15,8 +15,8 @@ namespace {
 
 /// A take of a second, at 30 frames a second.
 struct AngleScene : raks::test::FilmedSwing {
-    explicit AngleScene(const StudioOptions& options = {}, double seconds = 1.0)
-        : FilmedSwing(seconds, options, MarkerColours::five) {}
+    explicit AngleScene(const StudioOptions& options = {}, double seconds = 1.0, int cameras = 6)
+        : FilmedSwing(seconds, options, MarkerColours::five, cameras) {}
 
     /// Takes away what all cameras saw in the pictures [first, last).
     void blind(std::size_t first, std::size_t last) {
@@ -60,6 +60,18 @@ TEST(AngleTracker, follows_a_body) {
     ASSERT_TRUE(tracks);
     EXPECT_LT(tracks->mean, 0.006);
     EXPECT_EQ(tracks->wrong, 0U);
+}
+
+// By themselves half of the markers are lost then: each needs three views to be found again.
+TEST(AngleTracker, three_cameras_are_enough_for_five_colours) {
+    const AngleScene scene({}, 2.0, 3);
+    const auto followed = scene.follow();
+    ASSERT_TRUE(followed) << followed.error().message;
+    EXPECT_EQ(scene.errors(*followed).lost, 0U);
+    EXPECT_LT(scene.errors(*followed).mean, 0.02);
+    const auto tracks = track_errors(followed->stages.smoothed, scene.take.truth);
+    ASSERT_TRUE(tracks);
+    EXPECT_LT(tracks->wrong_share(), 0.12);
 }
 
 TEST(AngleTracker, keeps_what_is_done_when_it_is_stopped) {

@@ -99,12 +99,25 @@ TEST(RigCalibration, of_a_simulated_studio_is_true_to_millimetres) {
     }
 }
 
-TEST(RigCalibration, is_the_same_bits_again) {
+TEST(RigCalibration, is_the_same_bits_again_also_without_its_floor) {
     const test::Studio studio = test::make_studio({.seed = 3});
     const auto once = calibrate_rig(studio.board, filmed(studio), studio.sightings);
-    const auto again = calibrate_rig(studio.board, filmed(studio), studio.sightings);
+    // A board on the floor that no camera saw leaves the rig as it is, and says what it takes.
+    const auto again = calibrate_rig(
+        studio.board, filmed(studio), studio.sightings, {.floor_moment = std::size_t{100'000}});
     ASSERT_TRUE(once) << once.error().message;
+    ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(once->rig, again->rig);
+    EXPECT_EQ(again->rig.floor, FloorOrigin::unknown);
+    EXPECT_FALSE(again->has_floor);
+    const auto is_said = [&again](const char* words) {
+        return std::any_of(again->doubts.begin(), again->doubts.end(), [words](const auto& doubt) {
+            return doubt.find(words) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(is_said("no camera saw the board on the floor"));
+    EXPECT_TRUE(is_said("guessed from the feet"));
+    EXPECT_TRUE(is_said("a square of 80 mm that lies in the middle is about "));
 }
 
 TEST(RigCalibration, is_refused_where_neighbours_share_too_little) {

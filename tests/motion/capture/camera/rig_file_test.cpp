@@ -51,6 +51,21 @@ TEST(RigFile, of_ours_reads_back_to_the_same_bits) {
     EXPECT_EQ(rig_text(again->rig), rig_text(rig));
 }
 
+TEST(RigFile, says_how_its_floor_is_known) {
+    Rig rig = odd_ring(2);
+    for (const FloorOrigin floor : {FloorOrigin::known, FloorOrigin::unknown, FloorOrigin::feet}) {
+        rig.floor = floor;
+        const Expected<RigFile> again = parse_rig(rig_text(rig), "rig.toml");
+        ASSERT_TRUE(again) << again.error().message;
+        EXPECT_EQ(again->rig.floor, floor);
+    }
+    std::string text = rig_text(rig);
+    text.replace(text.find("\"feet\""), 6, "\"moon\"");
+    const Expected<RigFile> wrong = parse_rig(text, "rig.toml");
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().message.find("moon"), std::string::npos) << wrong.error().message;
+}
+
 TEST(RigFile, keeps_the_order_of_the_file_and_names_cameras_by_their_tables) {
     const Expected<RigFile> file = parse_rig(kRig, "a.toml");
     ASSERT_TRUE(file) << file.error().message;
@@ -118,7 +133,8 @@ TEST(RigFile, that_is_bad_is_refused_with_its_line_and_camera) {
          "rotation and rotation_matrix differ"},
         {rig_with(kRig, "\"left\"", "\"cam_10\""), "two cameras are called \"cam_10\""},
         {kRig + "[metadata]\nunit = \"cm\"\n", "[metadata]: unit \"cm\" is unknown"},
-        {"[cam_1]\n" + kCamera + "translation = [0, 0, 4]\n", "the rig has 1 camera; two or more"},
+        {"[cam_1]\n" + kCamera + "translation = [0, 0, 4]\n",
+         "one camera is too few: where something is, two or more tell"},
     };
     for (const auto& [text, expected] : faults) {
         const Expected<RigFile> file = parse_rig(text, "a.toml");
