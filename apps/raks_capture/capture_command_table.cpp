@@ -191,6 +191,23 @@ void add_track(CommandTable& table) {
     add_track_by_angles(*app, *arguments);
 }
 
+void add_keypoints(CommandTable& table) {
+    const auto [app, arguments] =
+        table.add<KeypointArguments>(table.app(),
+                                     "keypoints",
+                                     "find the joints of a dancer without markers, in all films",
+                                     &keypoints);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--pose-model",
+                    arguments->network,
+                    "network that finds joints: lite, full or heavy, or its file");
+    app->add_flag("--preview",
+                  arguments->is_preview,
+                  "look at every third picture, with the network lite where it is there");
+    app->add_option("--threads", arguments->threads, "cores to use, one a film (all)")
+        ->check(in_range(1, 256));
+}
+
 void add_correct(CommandTable& table) {
     const auto [app, arguments] = table.add<CorrectArguments>(
         table.app(), "correct", "look at the tracks and put them right, in a window", &correct);
@@ -241,6 +258,7 @@ void add_commands(CommandTable& table) {
     add_sync(table);
     add_label(table);
     add_track(table);
+    add_keypoints(table);
     add_correct(table);
     add_solve(table);
     add_report(table);

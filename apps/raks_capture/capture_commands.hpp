@@ -123,6 +123,17 @@ struct TrackArguments {
 /// Follows the markers through all films. Errors: no rig, no labels; files.
 [[nodiscard]] ExitCode track(const TrackArguments& arguments);
 
+/// Arguments of `raks capture keypoints`.
+struct KeypointArguments {
+    Path folder;
+    std::string network = "full";  ///< lite, full or heavy, or a file
+    bool is_preview = false;       ///< every third picture, and the network lite
+    int threads = 0;               ///< 0: as many as there are cores
+};
+/// Finds the joints of a dancer without markers in all films. Errors: no film; no network; no film
+/// that shows a whole body; files.
+[[nodiscard]] ExitCode keypoints(const KeypointArguments& arguments);
+
 /// Arguments of `raks capture correct`.
 struct CorrectArguments {
     Path folder;
