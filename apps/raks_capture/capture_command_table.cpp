@@ -206,6 +206,18 @@ void add_keypoints(CommandTable& table) {
                   "look at every third picture, with the network lite where it is there");
     app->add_option("--threads", arguments->threads, "cores to use, one a film (all)")
         ->check(in_range(1, 256));
+    TakenKeypoints& taken = arguments->taken;
+    auto* const from = app->add_option("--from",
+                                       taken.from,
+                                       "CAMERA=PATH: joints that another program found: OpenPose's "
+                                       "folder of JSON, or a table; once a camera");
+    app->add_option("--map", taken.map, "what its names mean (TSV)")->needs(from);
+    app->add_option(
+           "--fps", taken.pictures_per_second, "pictures a second, of cameras without film")
+        ->check(in_range(1.0, 1000.0))
+        ->needs(from);
+    app->add_option("--size", taken.size, "size of the pictures, likewise, such as 1920x1080")
+        ->needs(from);
 }
 
 void add_correct(CommandTable& table) {

@@ -7,6 +7,7 @@
 
 #include "apps/clips/body_arguments.hpp"
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/taken_keypoints.hpp"
 #include "apps/terminal/program.hpp"
 #include "motion/capture/studio/point_studio.hpp"
 
@@ -129,6 +130,7 @@ struct KeypointArguments {
     std::string network = "full";  ///< lite, full or heavy, or a file
     bool is_preview = false;       ///< every third picture, and the network lite
     int threads = 0;               ///< 0: as many as there are cores
+    TakenKeypoints taken;          ///< instead of looking at films
 };
 /// Finds the joints of a dancer without markers in all films. Errors: no film; no network; no film
 /// that shows a whole body; files.

@@ -2,12 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+#include <utility>
+
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::apps {
 
 std::filesystem::path keypoint_file(const CapturePlan& plan, const std::string& camera) {
     return plan.file("keypoints") / (camera + ".csv");
+}
+
+Expected<void> keep_keypoints(const CapturePlan& plan, const capture::KeypointFilm& seen) {
+    const std::filesystem::path file = keypoint_file(plan, seen.camera);
+    std::error_code problem;
+    std::filesystem::create_directories(file.parent_path(), problem);
+    if (problem) {
+        return fail(fmt::format("{}: {}", file.parent_path().string(), problem.message()));
+    }
+    return write_file(file, capture::keypoints_text(seen));
 }
 
 Expected<std::vector<capture::KeypointFilm>> load_keypoints(const CapturePlan& plan) {

@@ -15,6 +15,10 @@ namespace raks::apps {
 [[nodiscard]] std::filesystem::path keypoint_file(const CapturePlan& plan,
                                                   const std::string& camera);
 
+/// Writes what a camera saw there; the folder is made where there is none. Errors: the system's.
+[[nodiscard]] Expected<void> keep_keypoints(const CapturePlan& plan,
+                                            const capture::KeypointFilm& seen);
+
 /// What all cameras of the plan saw, in its order. Errors: one is not there (raks capture keypoints
 /// first), those of the files.
 [[nodiscard]] Expected<std::vector<capture::KeypointFilm>> load_keypoints(const CapturePlan& plan);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -18,11 +17,11 @@
 #include "apps/raks_capture/capture_steps.hpp"
 #include "apps/raks_capture/keypoint_files.hpp"
 #include "apps/raks_capture/keypoint_search.hpp"
+#include "apps/raks_capture/taken_keypoints.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
-#include "base/pending_file.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/capture/keypoints/keypoint_doubts.hpp"
 
@@ -41,7 +40,7 @@ struct ChosenNetwork {
 
 // Where a network of this name lies.
 Expected<Path> shipped_network(std::string_view name) {
-    return data_path(fmt::format("models/pretrained/blazepose_{}.pose", name));
+    return engine::data_path(fmt::format("models/pretrained/blazepose_{}.pose", name));
 }
 
 Expected<ChosenNetwork> choose_network(const KeypointArguments& arguments) {
@@ -143,9 +142,7 @@ class KeypointRun {
         if (!found->warning.empty()) {
             tell(found->warning);
         }
-        if (auto written =
-                write_file(keypoint_file(plan_, film.camera), capture::keypoints_text(found->seen));
-            !written) {
+        if (auto written = keep_keypoints(plan_, found->seen); !written) {
             return fail(std::move(written.error()));
         }
         show(index, 1.0);
@@ -205,6 +202,10 @@ ExitCode judge(const std::vector<capture::KeypointFilm>& seen) {
 
 ExitCode keypoints(const KeypointArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
+    if (plan && !arguments.taken.from.empty()) {
+        const auto taken = take_keypoints(*plan, arguments.taken);
+        return taken ? judge(*taken) : fail(taken.error());
+    }
     auto films = plan ? films_with_dancer(*plan) : fail(plan.error());
     const auto network = films ? choose_network(arguments) : fail(films.error());
     const auto detector = network ? shipped_network("detector") : fail(network.error());
@@ -217,8 +218,6 @@ ExitCode keypoints(const KeypointArguments& arguments) {
         say("the network lite is not installed: the preview takes full");
     }
     models->name += arguments.is_preview ? kPreviewMark : "";
-    std::error_code problem;
-    std::filesystem::create_directories(plan->file("keypoints"), problem);
     const int threads = arguments.threads > 0
                             ? arguments.threads
                             : static_cast<int>(std::thread::hardware_concurrency());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/printable.hpp"
@@ -229,12 +230,12 @@ class ForeignTableReader {
         double number = is_first ? 0.0 : static_cast<double>(film.pictures.back().number) + 1.0;
         if (layout_.picture != kNoColumn) {
             const auto cell = motion::number_of_cell(cells[layout_.picture]);
-            number = cell ? *cell : NAN;
+            number = cell.value_or(std::numeric_limits<double>::quiet_NaN());
         }
         double time = number / film_.pictures_per_second;
         if (layout_.time != kNoColumn) {
             const auto cell = motion::number_of_cell(cells[layout_.time]);
-            time = cell ? *cell : NAN;
+            time = cell.value_or(std::numeric_limits<double>::quiet_NaN());
         }
         if (!(number >= 0.0 && number <= kMostNumber && number == std::floor(number))) {
             return fail("the picture's number must be a whole number");

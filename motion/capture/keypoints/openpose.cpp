@@ -165,9 +165,9 @@ std::optional<std::size_t> number_in(std::string_view name) {
     const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
     std::size_t number = 0;
     const auto parsed = std::from_chars(name.data() + first, name.data() + last + 1, number);
-    constexpr std::size_t kMostPictures = 100'000'000;
-    return parsed.ec == std::errc{} && number <= kMostPictures ? std::optional(number)
-                                                               : std::nullopt;
+    constexpr std::size_t kLargestNumber = 100'000'000;
+    return parsed.ec == std::errc{} && number <= kLargestNumber ? std::optional(number)
+                                                                : std::nullopt;
 }
 
 }  // namespace
