@@ -1,6 +1,6 @@
 # OpenCV's modules that calibrate cameras, as RaksOpenCV::RaksOpenCV, and the one that runs networks, as
-# RaksOpenCV::Networks. Its own CMake files come only
-# with Debian's libopencv-dev, and that with a hundred packages (Java, VTK, GDAL) that none needs.
+# RaksOpenCV::Networks. Its own CMake files come only with Debian's libopencv-dev, and that with a hundred
+# packages (Java, VTK, GDAL) that none needs.
 find_path(RaksOpenCV_INCLUDE_DIR opencv2/aruco.hpp PATH_SUFFIXES opencv4)
 set(RaksOpenCV_LIBRARIES "")
 set(RaksOpenCV_NEEDED RaksOpenCV_INCLUDE_DIR)
