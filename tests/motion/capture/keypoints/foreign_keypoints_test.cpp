@@ -137,7 +137,7 @@ TEST(ForeignTable, a_bad_table_is_one_line) {
         "keypoints of Raks");
     EXPECT_EQ(
         why_no_table("scorer,a,a\nx,y,z\n"),
-        "t.csv: line 1: is of an unknown layout: behind scorer must follow rows bodyparts and "
+        "t.csv: line 2: is of an unknown layout: behind scorer must follow rows bodyparts and "
         "coords");
     EXPECT_EQ(why_no_table("nose_x,nose_y,nose_v\n1,2,-0.5\n"),
               "t.csv: line 2: nose: its likelihood is -0.5, must be from 0 to 1");
