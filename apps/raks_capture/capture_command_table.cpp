@@ -17,6 +17,16 @@ void add_run(CommandTable& table) {
                                 "do every step that is missing or older than what it is made from",
                                 &run_capture);
     app->add_option("folder", arguments->folder, "the capture")->required();
+    auto* const markerless =
+        app->add_flag("--markerless",
+                      arguments->is_markerless,
+                      "without markers and board, from two cameras on; a folder of films will do");
+    app->add_option(
+           "--height", arguments->height, "metres of the dancer, for a folder without capture.toml")
+        ->check(in_range(0.8, 2.5))
+        ->needs(markerless);
+    app->add_option("--music", arguments->music, "the song that was played, likewise")
+        ->needs(markerless);
 }
 
 void add_simulate(CommandTable& table) {
@@ -86,7 +96,7 @@ void add_calibrate(CommandTable& table) {
     const auto [app, arguments] = table.add<CalibrationArguments>(
         table.app(),
         "calibrate",
-        "find lenses and places of the cameras with a printed board",
+        "find lenses and places of the cameras with a printed board, or by the dancer",
         &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
@@ -114,6 +124,14 @@ void add_calibrate(CommandTable& table) {
     app->add_option("--up", arguments->up, "which axis of that rig points up")
         ->check(one_of({"y", "z"}))
         ->needs(rig);
+    auto* const dancer =
+        app->add_flag("--dancer",
+                      arguments->is_by_dancer,
+                      "without a board: by the joints of the dancer (raks capture keypoints)");
+    dancer->excludes(rig);
+    app->add_option("--height", arguments->height, "metres of the dancer, from which sizes follow")
+        ->check(in_range(0.8, 2.5))
+        ->needs(dancer);
     app->add_flag("--json", arguments->as_json, "print the report as JSON");
 }
 
@@ -144,8 +162,10 @@ void add_label(CommandTable& table) {
 }
 
 void add_track_by_angles(CLI::App& app, TrackArguments& arguments) {
-    app.add_option("--method", arguments.method, "follow each marker by itself, or the whole body")
-        ->check(one_of({"positions", "angles"}));
+    app.add_option("--method",
+                   arguments.method,
+                   "follow each marker by itself, or the whole body; or a dancer without markers")
+        ->check(one_of({"positions", "angles", "markerless"}));
     app.add_option("--body", arguments.body, "angles: which joints move")
         ->check(one_of({"dance", "paper"}));
     app.add_option("--likelihood", arguments.likelihood, "angles: what a posture is judged by")
@@ -256,6 +276,9 @@ void add_compare(CommandTable& table) {
     app->add_option("other", arguments->other, "another one")->required();
     app->add_option("--shift", arguments->shift, "seconds by which the other one begins later")
         ->check(in_range(-86400.0, 86400.0));
+    app->add_flag("--align",
+                  arguments->is_aligned,
+                  "turn the other one about the vertical and move it, so that it fits best");
     app->add_flag("--json", arguments->as_json, "print JSON");
 }
 

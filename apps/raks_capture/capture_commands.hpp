@@ -18,8 +18,12 @@ namespace raks::apps {
 /// Arguments of `raks capture run`.
 struct RunArguments {
     Path folder;
+    bool is_markerless = false;  ///< whatever capture.toml says
+    double height = 0.0;         ///< metres, where a capture.toml is written; 0: not said
+    Path music;                  ///< likewise; empty: none
 };
-/// Does every step that is missing or older than what it is made from. Errors: those of the steps.
+/// Does every step that is missing or older than what it is made from. Without markers a folder of
+/// films needs no capture.toml: one is written. Errors: those of the steps.
 [[nodiscard]] ExitCode run_capture(const RunArguments& arguments);
 
 /// Arguments of `raks capture simulate`.
@@ -69,13 +73,15 @@ struct CalibrationArguments {
     Path folder;
     Path output;  ///< empty: rig.toml of the folder
     CalibrationChoices choices;
-    Path rig;          ///< of another program; empty: the board is looked for
-    std::string unit;  ///< of that rig; empty: as it says
-    std::string up;    ///< likewise
+    Path rig;                   ///< of another program; empty: the board is looked for
+    std::string unit;           ///< of that rig; empty: as it says
+    std::string up;             ///< likewise
+    bool is_by_dancer = false;  ///< from keypoints, without a board
+    double height = 0.0;        ///< of the dancer, metres; 0: capture.toml's
     bool as_json = false;
 };
-/// Finds lenses and places of the cameras by a board. Errors: films that show it too seldom;
-/// files.
+/// Finds lenses and places of the cameras by a board, or by the dancer. Errors: films that show it
+/// too seldom; files.
 [[nodiscard]] ExitCode calibrate(const CalibrationArguments& arguments);
 
 /// Arguments of `raks capture sync`.
@@ -168,7 +174,8 @@ struct ReportArguments {
 struct CompareArguments {
     Path one;
     Path other;
-    double shift = 0.0;  ///< seconds
+    double shift = 0.0;       ///< seconds
+    bool is_aligned = false;  ///< turned about the vertical and moved to fit best
     bool as_json = false;
 };
 /// Prints how far two motions of the same dance are apart. Errors: those of reading them.

@@ -105,9 +105,11 @@ void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& compl
     if (const toml::node* const body = root.get("body")) {
         plan.is_paper_body = complaints.word(*body, "body", kBodies) == 1;
     }
-    constexpr std::array<std::string_view, 2> kMethods = {"positions", "angles"};
+    constexpr std::array<std::string_view, 3> kMethods = {"positions", "angles", "markerless"};
     if (const toml::node* const method = root.get("method")) {
-        plan.is_by_angles = complaints.word(*method, "method", kMethods) == 1;
+        const std::size_t which = complaints.word(*method, "method", kMethods);
+        plan.is_by_angles = which == 1;
+        plan.is_markerless = which == 2;
     }
     plan.music = complaints.text(root, "music");
     plan.markers = complaints.text(root, "markers");
@@ -175,6 +177,7 @@ std::string capture_plan_text(const CapturePlan& plan) {
     }
     text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
     text += plan.is_by_angles ? "method = \"angles\"\n" : "";
+    text += plan.is_markerless ? "method = \"markerless\"\n" : "";
     for (const auto& [key, path] :
          {std::pair("music", &plan.music), std::pair("markers", &plan.markers)}) {
         if (!path->empty()) {
@@ -199,6 +202,14 @@ std::string capture_plan_text(const CapturePlan& plan) {
         }
     }
     return text;
+}
+
+std::vector<std::string> plan_names(const CapturePlan& plan) {
+    std::vector<std::string> names;
+    for (const PlannedCamera& camera : plan.cameras) {
+        names.push_back(camera.name);
+    }
+    return names;
 }
 
 Expected<capture::MarkerSet> load_markers(const CapturePlan& plan) {

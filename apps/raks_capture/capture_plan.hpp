@@ -28,7 +28,7 @@ struct PlannedCamera {
 ///     version = 1
 ///     height = 1.72                 # of the dancer, metres; left out: found from the markers
 ///     body = "dance"                # or "paper": 22 degrees of freedom
-///     method = "positions"          # or "angles": how markers are followed
+///     method = "positions"          # or "angles": how markers are followed; or "markerless"
 ///     music = "song.mp3"            # left out: none
 ///     markers = "markers.toml"      # left out: the shipped set
 ///     frames_per_second = 60.0      # of the dance that comes out; left out: 60
@@ -53,6 +53,7 @@ struct CapturePlan {
     double height = 0.0;           ///< metres; 0: not said
     bool is_paper_body = false;    ///< body = "paper"
     bool is_by_angles = false;     ///< method = "angles"
+    bool is_markerless = false;    ///< method = "markerless": no markers, no board
     std::filesystem::path music;
     std::filesystem::path markers;
     double frames_per_second = 60.0;
@@ -77,6 +78,9 @@ struct CapturePlan {
 
 /// A plan as the text of such a file, which reads back to the same values.
 [[nodiscard]] std::string capture_plan_text(const CapturePlan& plan);
+
+/// The names of its cameras.
+[[nodiscard]] std::vector<std::string> plan_names(const CapturePlan& plan);
 
 /// The markers of a capture. Errors: those of its marker set.
 [[nodiscard]] Expected<capture::MarkerSet> load_markers(const CapturePlan& plan);

@@ -6,9 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "apps/raks_capture/calibrate_dancer.hpp"
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/keypoint_step.hpp"
 #include "apps/raks_capture/solve_figures.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
@@ -19,6 +21,8 @@ namespace raks::apps {
 namespace {
 
 constexpr std::size_t kMostDoubtsSaid = 10;
+// Networks take joints to be elsewhere than a skeleton does; metres.
+constexpr double kKeypointDeviation = 0.03;
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
     capture::SolveOptions options;
@@ -73,15 +77,19 @@ ExitCode solve_capture(const SolveArguments& arguments) {
     if (!plan) {
         return fail(plan.error());
     }
-    const auto markers = load_markers(*plan);
-    if (!markers) {
-        return fail(markers.error());
-    }
     const auto tracks = load_tracks(plan->folder);
     if (!tracks) {
         return fail(tracks.error());
     }
+    const auto markers = markers_of(*plan, *tracks);
+    if (!markers) {
+        return fail(markers.error());
+    }
     capture::SolveOptions options = options_of(arguments, *plan);
+    if (is_of_keypoints(*tracks)) {
+        options.marker_deviation = kKeypointDeviation;
+        options.height = dancer_height(*plan, arguments.height);
+    }
     auto start = load_angles(*plan, options.body);
     if (!start) {
         return fail(std::move(start.error()));
