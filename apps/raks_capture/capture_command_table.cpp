@@ -211,6 +211,35 @@ void add_track(CommandTable& table) {
     add_track_by_angles(*app, *arguments);
 }
 
+void add_keypoints(CommandTable& table) {
+    const auto [app, arguments] =
+        table.add<KeypointArguments>(table.app(),
+                                     "keypoints",
+                                     "find the joints of a dancer without markers, in all films",
+                                     &keypoints);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--pose-model",
+                    arguments->network,
+                    "network that finds joints: lite, full or heavy, or its file");
+    app->add_flag("--preview",
+                  arguments->is_preview,
+                  "look at every third picture, with the network lite where it is there");
+    app->add_option("--threads", arguments->threads, "cores to use, one a film (all)")
+        ->check(in_range(1, 256));
+    TakenKeypoints& taken = arguments->taken;
+    auto* const from = app->add_option("--from",
+                                       taken.from,
+                                       "CAMERA=PATH: joints that another program found: OpenPose's "
+                                       "folder of JSON, or a table; once a camera");
+    app->add_option("--map", taken.map, "what its names mean (TSV)")->needs(from);
+    app->add_option(
+           "--fps", taken.pictures_per_second, "pictures a second, of cameras without film")
+        ->check(in_range(1.0, 1000.0))
+        ->needs(from);
+    app->add_option("--size", taken.size, "size of the pictures, likewise, such as 1920x1080")
+        ->needs(from);
+}
+
 void add_correct(CommandTable& table) {
     const auto [app, arguments] = table.add<CorrectArguments>(
         table.app(), "correct", "look at the tracks and put them right, in a window", &correct);
@@ -219,8 +248,19 @@ void add_correct(CommandTable& table) {
 
 void add_solve(CommandTable& table) {
     const auto [app, arguments] = table.add<SolveArguments>(
-        table.app(), "solve", "find the dancer's body and its dance in the tracks", &solve_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
+        table.app(),
+        "solve",
+        "find the dancer's body and its dance in the tracks, or in anybody's points",
+        &solve_capture);
+    app->add_option("folder", arguments->folder, "the capture, or a file of points (TRC, C3D, CSV)")
+        ->required();
+    app->add_option("-o,--out", arguments->output, "points: the dance (BVH); without: beside it");
+    app->add_option("--unit", arguments->unit, "points: their unit, where the file is wrong")
+        ->check(one_of({"m", "cm", "mm"}));
+    app->add_option("--up", arguments->up, "points: which axis is up, likewise")
+        ->check(one_of({"x", "y", "z"}));
+    app->add_option("--names", arguments->names, "points: which joints their names mean (TSV)");
+    app->add_option("--markers", arguments->markers, "points: the marker set that they are (TOML)");
     app->add_option("--height", arguments->height, "metres of the dancer")
         ->check(in_range(0.8, 2.5));
     app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")
@@ -264,6 +304,7 @@ void add_commands(CommandTable& table) {
     add_sync(table);
     add_label(table);
     add_track(table);
+    add_keypoints(table);
     add_correct(table);
     add_solve(table);
     add_report(table);

@@ -7,6 +7,7 @@
 
 #include "apps/clips/body_arguments.hpp"
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/taken_keypoints.hpp"
 #include "apps/terminal/program.hpp"
 #include "motion/capture/studio/point_studio.hpp"
 
@@ -129,6 +130,18 @@ struct TrackArguments {
 /// Follows the markers through all films. Errors: no rig, no labels; files.
 [[nodiscard]] ExitCode track(const TrackArguments& arguments);
 
+/// Arguments of `raks capture keypoints`.
+struct KeypointArguments {
+    Path folder;
+    std::string network = "full";  ///< lite, full or heavy, or a file
+    bool is_preview = false;       ///< every third picture, and the network lite
+    int threads = 0;               ///< 0: as many as there are cores
+    TakenKeypoints taken;          ///< instead of looking at films
+};
+/// Finds the joints of a dancer without markers in all films. Errors: no film; no network; no film
+/// that shows a whole body; files.
+[[nodiscard]] ExitCode keypoints(const KeypointArguments& arguments);
+
 /// Arguments of `raks capture correct`.
 struct CorrectArguments {
     Path folder;
@@ -138,14 +151,20 @@ struct CorrectArguments {
 
 /// Arguments of `raks capture solve`.
 struct SolveArguments {
-    Path folder;
+    Path folder;                     ///< or a file of points
+    Path output;                     ///< of such a file's dance; empty: beside it
+    std::string unit;                ///< of such a file; empty: as it says
+    std::string up;                  ///< likewise
+    Path names;                      ///< of its points; empty: as they are
+    Path markers;                    ///< that its points are; empty: joints
     double height = 0.0;             ///< metres; 0: capture.toml's
     double frames_per_second = 0.0;  ///< 0: capture.toml's
     std::string body;                ///< empty: capture.toml's
     double smoothness = 1.0;
     bool as_json = false;
 };
-/// Finds the dancer's body and its dance in the tracks. Errors: no tracks; too few markers; files.
+/// Finds the dancer's body and its dance in the tracks, or in the points of a file. Errors: no
+/// tracks; too few markers; files.
 [[nodiscard]] ExitCode solve_capture(const SolveArguments& arguments);
 
 /// Arguments of `raks capture report`.

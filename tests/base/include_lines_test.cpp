@@ -78,6 +78,8 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"motion/capture/camera", {"base"}},
     {"motion/capture/markers", {"base", "motion/skeleton", "motion/skeleton/formats"}},
     {"motion/capture/pictures", {"base", "motion/capture/markers"}},
+    {"motion/capture/keypoints",
+     {"base", "motion/skeleton/formats", "motion/capture/calibration", "motion/capture/pictures"}},
     {"motion/capture/triangulation", {"base", "motion/capture/camera"}},
     {"motion/capture/tracking",
      {"base",
