@@ -9,7 +9,7 @@
 
 #include "apps/raks_capture/keypoint_files.hpp"
 #include "base/file.hpp"
-#include "motion/capture/calibration/dancer_calibration.hpp"
+#include "motion/capture/dancer_rig/dancer_calibration.hpp"
 #include "motion/capture/markerless/motion_sync.hpp"
 
 namespace raks::apps {

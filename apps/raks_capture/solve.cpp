@@ -17,7 +17,7 @@
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
-#include "motion/capture/solving/point_tracks.hpp"
+#include "motion/capture/markerless/point_tracks.hpp"
 #include "motion/capture/solving/solve.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"

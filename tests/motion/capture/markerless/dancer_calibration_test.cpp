@@ -1,5 +1,5 @@
 // Calibration by the dancer alone, and a body solved from what a network sees, against the truth.
-#include "motion/capture/calibration/dancer_calibration.hpp"
+#include "motion/capture/dancer_rig/dancer_calibration.hpp"
 
 #include <gtest/gtest.h>
 

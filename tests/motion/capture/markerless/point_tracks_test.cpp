@@ -1,5 +1,5 @@
 // Anybody's points as tracks: names, units, axes and floors that files do not say; and C3D.
-#include "motion/capture/solving/point_tracks.hpp"
+#include "motion/capture/markerless/point_tracks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/capture/solving/point_tracks.hpp"
+#include "motion/capture/markerless/point_tracks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
