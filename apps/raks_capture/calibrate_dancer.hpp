@@ -6,7 +6,7 @@
 
 #include "apps/raks_capture/capture_plan.hpp"
 #include "base/expected.hpp"
-#include "motion/capture/calibration/dancer_calibration.hpp"
+#include "motion/capture/dancer_rig/dancer_calibration.hpp"
 #include "motion/capture/keypoints/keypoints.hpp"
 
 namespace raks::apps {

@@ -248,8 +248,19 @@ void add_correct(CommandTable& table) {
 
 void add_solve(CommandTable& table) {
     const auto [app, arguments] = table.add<SolveArguments>(
-        table.app(), "solve", "find the dancer's body and its dance in the tracks", &solve_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
+        table.app(),
+        "solve",
+        "find the dancer's body and its dance in the tracks, or in anybody's points",
+        &solve_capture);
+    app->add_option("folder", arguments->folder, "the capture, or a file of points (TRC, C3D, CSV)")
+        ->required();
+    app->add_option("-o,--out", arguments->output, "points: the dance (BVH); without: beside it");
+    app->add_option("--unit", arguments->unit, "points: their unit, where the file is wrong")
+        ->check(one_of({"m", "cm", "mm"}));
+    app->add_option("--up", arguments->up, "points: which axis is up, likewise")
+        ->check(one_of({"x", "y", "z"}));
+    app->add_option("--names", arguments->names, "points: which joints their names mean (TSV)");
+    app->add_option("--markers", arguments->markers, "points: the marker set that they are (TOML)");
     app->add_option("--height", arguments->height, "metres of the dancer")
         ->check(in_range(0.8, 2.5));
     app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")

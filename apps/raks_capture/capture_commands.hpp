@@ -151,14 +151,20 @@ struct CorrectArguments {
 
 /// Arguments of `raks capture solve`.
 struct SolveArguments {
-    Path folder;
+    Path folder;                     ///< or a file of points
+    Path output;                     ///< of such a file's dance; empty: beside it
+    std::string unit;                ///< of such a file; empty: as it says
+    std::string up;                  ///< likewise
+    Path names;                      ///< of its points; empty: as they are
+    Path markers;                    ///< that its points are; empty: joints
     double height = 0.0;             ///< metres; 0: capture.toml's
     double frames_per_second = 0.0;  ///< 0: capture.toml's
     std::string body;                ///< empty: capture.toml's
     double smoothness = 1.0;
     bool as_json = false;
 };
-/// Finds the dancer's body and its dance in the tracks. Errors: no tracks; too few markers; files.
+/// Finds the dancer's body and its dance in the tracks, or in the points of a file. Errors: no
+/// tracks; too few markers; files.
 [[nodiscard]] ExitCode solve_capture(const SolveArguments& arguments);
 
 /// Arguments of `raks capture report`.

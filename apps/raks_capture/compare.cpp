@@ -37,25 +37,6 @@ std::string row_of(std::string_view name, const motion::JointDifference& joint) 
                        joint.angle ? fmt::format("{:.1f}", *joint.angle) : "");
 }
 
-std::string table_of(const motion::MotionComparison& comparison) {
-    std::string text =
-        fmt::format("{:<16} {:>9} {:>9} {:>9}\n", "", "from hips", "world", "degrees");
-    for (std::size_t i = 0; i < comparison.joints.size(); ++i) {
-        text += row_of(motion::kBoneNames[index_of(motion::kBodyBones[i])], comparison.joints[i]);
-    }
-    text += row_of("leftToeTip", comparison.toes[0]) + row_of("rightToeTip", comparison.toes[1]);
-    return text + fmt::format(
-                      "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
-                      "the hips; bones {:.1f} degrees, legs {:.1f}, arms {:.1f}; over {:.1f} s\n",
-                      kInMillimetres * comparison.from_hips,
-                      kInMillimetres * comparison.world,
-                      kInMillimetres * comparison.feet,
-                      comparison.angle,
-                      leg_angle(comparison),
-                      arm_angle(comparison),
-                      comparison.seconds);
-}
-
 /// Mean angle of the limbs' bones of one kind, both sides; degrees.
 double limb_angle(const motion::MotionComparison& comparison,
                   std::initializer_list<motion::Bone> left_bones) {
@@ -80,6 +61,25 @@ double leg_angle(const motion::MotionComparison& comparison) {
 
 double arm_angle(const motion::MotionComparison& comparison) {
     return limb_angle(comparison, {motion::Bone::left_upper_arm, motion::Bone::left_lower_arm});
+}
+
+std::string table_of(const motion::MotionComparison& comparison) {
+    std::string text =
+        fmt::format("{:<16} {:>9} {:>9} {:>9}\n", "", "from hips", "world", "degrees");
+    for (std::size_t i = 0; i < comparison.joints.size(); ++i) {
+        text += row_of(motion::kBoneNames[index_of(motion::kBodyBones[i])], comparison.joints[i]);
+    }
+    text += row_of("leftToeTip", comparison.toes[0]) + row_of("rightToeTip", comparison.toes[1]);
+    return text + fmt::format(
+                      "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
+                      "the hips; bones {:.1f} degrees, legs {:.1f}, arms {:.1f}; over {:.1f} s\n",
+                      kInMillimetres * comparison.from_hips,
+                      kInMillimetres * comparison.world,
+                      kInMillimetres * comparison.feet,
+                      comparison.angle,
+                      leg_angle(comparison),
+                      arm_angle(comparison),
+                      comparison.seconds);
 }
 
 std::string alignment_text(const motion::MotionAlignment& alignment) {

@@ -95,12 +95,17 @@ Expected<void> say_what_is_next(const CapturePlan& plan) {
     if (!offset) {
         return fail(offset.error());
     }
-    std::string line = "raks train figure " + shell_word(plan.file("dance.bvh").string());
-    if (*offset) {
-        line += fmt::format(
-            " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
+    const std::string clip = shell_word(plan.file("dance.bvh").string());
+    if (!*offset) {
+        print_text("raks train figure " + clip + " -o mine\n");
+        return {};
     }
-    print_text(line + " -o mine\n");
+    const std::string song = fmt::format(
+        " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
+    if (plan.is_markerless) {
+        say("improvised, without figures: raks train take " + clip + song + " -o mine");
+    }
+    print_text("raks train figure " + clip + song + " -o mine\n");
     return {};
 }
 

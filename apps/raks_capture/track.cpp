@@ -20,6 +20,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
+#include "motion/capture/markers/track_c3d.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"
 
@@ -49,7 +50,8 @@ Expected<void> write_tracks(const CapturePlan& plan,
     std::vector<std::pair<const char*, std::string>> files = {
         {"flags.tsv", capture::flags_text(tracks)},
         {"moved.tsv", capture::moves_text(followed.stages.moves)},
-        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
+        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
+        {"tracks.c3d", capture::c3d_bytes(tracks)}};
     if (followed.angles) {
         files.emplace_back(
             "angles.csv",
@@ -189,6 +191,7 @@ ExitCode track_joints(const CapturePlan& plan, const TrackArguments& arguments) 
                                      {{"flags.tsv", capture::flags_text(*tracks)},
                                       {"moved.tsv", capture::moves_text({})},
                                       {"tracks.trc", capture::trc_text(*tracks, "tracks.trc")},
+                                      {"tracks.c3d", capture::c3d_bytes(*tracks)},
                                       {"tracks.csv", capture::tracks_text(*tracks)}});
     if (written) {
         say(summary_of(*tracks));

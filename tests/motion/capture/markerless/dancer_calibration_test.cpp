@@ -1,153 +1,178 @@
-// Calibration by the dancer alone, and a body solved from keypoints, against what is known.
-#include "motion/capture/calibration/dancer_calibration.hpp"
+// Calibration by the dancer alone, and a body solved from what a network sees, against the truth.
+#include "motion/capture/dancer_rig/dancer_calibration.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "motion/capture/markerless/keypoint_markers.hpp"
 #include "motion/capture/markerless/keypoint_tracks.hpp"
+#include "motion/capture/markerless/motion_sync.hpp"
 #include "motion/capture/solving/solve.hpp"
 #include "motion/evaluate/body_track.hpp"
+#include "motion/evaluate/motion_alignment.hpp"
+#include "motion/evaluate/motion_comparison.hpp"
 #include "tests/motion/capture/markerless/keypoint_scene.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace raks::capture {
 namespace {
 
-std::vector<DancerCamera> cameras_of(const Rig& rig, bool has_lenses) {
+std::vector<DancerCamera> dancer_cameras_of(const Rig& rig, bool are_lenses_known) {
     std::vector<DancerCamera> cameras;
     for (const Camera& camera : rig.cameras) {
         cameras.push_back({camera.name, camera.lens.width, camera.lens.height, std::nullopt});
-        if (has_lenses) {
+        if (are_lenses_known) {
             cameras.back().lens = camera.lens;
         }
     }
     return cameras;
 }
 
+/// A scene and what is made of it.
+struct DancerScene {
+    test::SceneDance dance;
+    Rig rig;
+    std::vector<KeypointFilm> films;
+    KeypointTake take;
+};
+
+DancerScene scene_of(const std::vector<double>& angles,
+                     double focal,
+                     double seconds,
+                     test::NetworkErrors errors = {}) {
+    DancerScene scene{
+        test::written_dance("hiphop", 0, seconds), test::ring(angles, 4.3, focal), {}, {}};
+    errors.pixels *= focal / 1559.0;
+    const auto clocks = test::true_clocks(scene.rig);
+    scene.films = test::filmed(scene.dance, scene.rig, clocks, errors);
+    auto take = keypoint_take(scene.films, clocks, 30.0);
+    EXPECT_TRUE(take) << take.error().message;
+    scene.take = std::move(*take);
+    return scene;
+}
+
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / M_PI;
 }
 
-TEST(DancerCalibration, report) {
-    const char* clip = std::getenv("CLIP");
-    const char* f = std::getenv("FOCAL");
-    const char* sd = std::getenv("SEED");
-    const char* ang = std::getenv("ANGLE");
-    const bool known = std::getenv("KNOWN") != nullptr;
-    auto dance = clip ? *test::dance_of(clip, 12.0) : test::written_dance("rock", 0, 12.0);
-    const double focal = f ? atof(f) : 1559.0;
-    Rig rig = test::ring({0.0, ang ? atof(ang) : 90.0}, 4.3, focal, f ? 720 : 720);
-    test::NetworkErrors errors;
-    errors.pixels *= focal / 1559;
-    if (std::getenv("PX")) errors.pixels = atof(std::getenv("PX"));
-    if (std::getenv("JT")) errors.joints = atof(std::getenv("JT"));
-    errors.seed = sd ? atoi(sd) : 1;
-    auto clocks = test::true_clocks(rig);
-    auto films = test::filmed(dance, rig, clocks, errors);
-    auto take = keypoint_take(films, clocks, 30.0);
-    ASSERT_TRUE(take) << take.error().message;
-    auto done = calibrate_by_dancer(*take, cameras_of(rig, known), kMannequinHeight);
-    ASSERT_TRUE(done) << done.error().message;
-    for (auto& p : done->pairs)
-        printf("pair %zu %zu angle %.1f agree %.2f\n", p.from, p.to, p.angle, p.agreeing);
-    // relative rotation
-    auto rel = [](const Rig& r) {
-        return r.cameras[1].rotation * glm::transpose(r.cameras[0].rotation);
-    };
-    glm::dmat3 d = rel(done->rig) * glm::transpose(rel(rig));
-    printf("relative rotation off %.2f deg; cost %.1f\n",
-           std::acos((d[0][0] + d[1][1] + d[2][2] - 1) / 2) * 180 / M_PI,
-           done->adjusted.cost);
-    for (int i = 0; i < 2; ++i) {
-        auto up = done->rig.cameras[i].rotation * glm::dvec3(0, 1, 0);
-        auto tr = rig.cameras[i].rotation * glm::dvec3(0, 1, 0);
-        auto c = done->rig.cameras[i].centre();
-        printf("cam %d f %.0f up off %.2f deg, at %.2f %.2f %.2f dist %.3f rms %.1f\n",
-               i,
-               done->rig.cameras[i].lens.fx,
-               degrees_between(up, tr),
-               c.x,
-               c.y,
-               c.z,
-               glm::length(glm::dvec2(c.x, c.z)),
-               done->adjusted.camera_rms[i]);
+// The world's up in a camera's own axes, against the true one; degrees.
+double up_error(const Camera& found, const Camera& is) {
+    const glm::dvec3 up(0.0, 1.0, 0.0);
+    return degrees_between(found.rotation * up, is.rotation * up);
+}
+
+std::vector<double> errors_of(const KeypointTake& take) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < take.cameras; ++i) {
+        errors.push_back(usual_error(take, i));
     }
-    printf("floor steps %zu spread %.3f disagreement %.2f baseline %.3f true %.3f\n",
-           done->floor.steps,
-           done->floor.spread,
-           done->floor.disagreement,
-           glm::distance(done->rig.cameras[0].centre(), done->rig.cameras[1].centre()),
-           glm::distance(rig.cameras[0].centre(), rig.cameras[1].centre()));
-    std::vector<double> errs{usual_error(*take, 0), usual_error(*take, 1)};
-    printf("errors %.1f %.1f\n", errs[0], errs[1]);
-    for (size_t i = 0; i < kLimbLengths; ++i)
-        printf("L%zu %.3f ",
-               i,
-               done->adjusted.lengths[i] / (limb_lengths()[i].of_height * kMannequinHeight));
-    printf("\n");
-    if (std::getenv("NOSOLVE")) return;
-    Tracks tracks = keypoint_tracks(done->rig, *take, errs);
-    for (size_t i = 0; i < tracks.flags.size() && i < 5; ++i)
-        printf("flag %d %s %zu %zu\n",
-               int(tracks.flags[i].doubt),
-               tracks.markers[tracks.flags[i].marker].c_str(),
-               tracks.flags[i].first,
-               tracks.flags[i].last);
-    printf("%zu flags\n", tracks.flags.size());
+    return errors;
+}
+
+TEST(DancerCalibration, two_cameras_and_a_height_give_the_dance) {
+    const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 12.0);
+    const auto done =
+        calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, false), kMannequinHeight);
+    ASSERT_TRUE(done) << done.error().message;
+    ASSERT_EQ(done->pairs.size(), 1U);
+    EXPECT_NEAR(done->pairs[0].angle, 90.0, 10.0);
+    EXPECT_GT(done->pairs[0].agreeing, 0.9);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(up_error(done->rig.cameras[i], scene.rig.cameras[i]), 4.0);
+    }
+    const Tracks tracks = keypoint_tracks(done->rig, scene.take, errors_of(scene.take));
     SolveOptions options;
     options.height = kMannequinHeight;
     options.frames_per_second = 60.0;
     options.marker_deviation = 0.03;
-    auto solved = solve(tracks, keypoint_markers(), options);
+    const auto solved = solve(tracks, keypoint_markers(), options);
     ASSERT_TRUE(solved) << solved.error().message;
-    auto is = motion::body_track(dance.skeleton, dance.poses, 60.0);
+    const auto is = motion::body_track(scene.dance.skeleton, scene.dance.poses, 60.0);
     auto got = motion::body_track(solved->skeleton, solved->poses, 60.0);
-    // distance between hips-relative after yaw: align by all joints
-    size_t n = std::min(is.frames(), got.frames());
-    glm::dvec3 ma{}, mb{};
-    double cnt = 0;
-    for (size_t k = 0; k < n; ++k)
-        for (size_t j = 0; j < 19; ++j) {
-            ma += is.joints[k][j];
-            mb += got.joints[k][j];
-            cnt += 1;
+    const auto aligned = motion::align_motion(is, got);
+    ASSERT_TRUE(aligned);
+    EXPECT_NEAR(aligned->scale, 1.0, 0.05);
+    EXPECT_LT(aligned->tilt, 4.0);
+    EXPECT_LT(std::abs(aligned->move.y), 0.04);
+    const auto left = motion::compare_motions(is, got);
+    ASSERT_TRUE(left);
+    EXPECT_LT(left->world, 0.06);
+}
+
+TEST(DancerCalibration, three_cameras_are_placed_jointly) {
+    const DancerScene scene = scene_of({0.0, 80.0, 200.0}, 1559.0, 8.0);
+    const auto done =
+        calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, true), kMannequinHeight);
+    ASSERT_TRUE(done) << done.error().message;
+    EXPECT_EQ(done->pairs.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_LT(up_error(done->rig.cameras[i], scene.rig.cameras[i]), 4.0) << i;
+        for (std::size_t j = i + 1; j < 3; ++j) {
+            const double is =
+                glm::distance(scene.rig.cameras[i].centre(), scene.rig.cameras[j].centre());
+            const double found =
+                glm::distance(done->rig.cameras[i].centre(), done->rig.cameras[j].centre());
+            EXPECT_NEAR(found / is, 1.0, 0.1) << i << " " << j;
         }
-    ma /= cnt;
-    mb /= cnt;
-    double s = 0, c = 0;
-    for (size_t k = 0; k < n; ++k)
-        for (size_t j = 0; j < 19; ++j) {
-            auto a = is.joints[k][j] - ma, b = got.joints[k][j] - mb;
-            c += a.x * b.x + a.z * b.z;
-            s += b.z * a.x - b.x * a.z;
+    }
+}
+
+TEST(DancerCalibration, refuses_cameras_that_cannot_tell_distances) {
+    struct Case {
+        double angle;
+        const char* said;
+    };
+    for (const Case& at :
+         {Case{178.0, "stand opposite one another"}, Case{14.0, "stand side by side"}}) {
+        const DancerScene scene = scene_of({0.0, at.angle}, 1559.0, 8.0);
+        const auto done =
+            calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, true), kMannequinHeight);
+        ASSERT_FALSE(done) << at.angle;
+        EXPECT_NE(done.error().message.find(at.said), std::string::npos) << done.error().message;
+        EXPECT_NE(done.error().message.find("70 to 100 degrees"), std::string::npos);
+    }
+}
+
+TEST(DancerCalibration, says_whose_feet_are_not_seen) {
+    DancerScene scene = scene_of({0.0, 90.0}, 1559.0, 2.0);
+    for (std::size_t frame = 0; frame < scene.take.frame_count; ++frame) {
+        for (const BodyPoint foot : {BodyPoint::left_ankle, BodyPoint::right_ankle}) {
+            scene.take.at(frame, 1)[static_cast<std::size_t>(foot)] = {};
         }
-    double th = std::atan2(s, c);
-    double sum = 0;
-    std::array<double, 19> by{};
-    for (size_t k = 0; k < n; ++k)
-        for (size_t j = 0; j < 19; ++j) {
-            auto b = got.joints[k][j] - mb;
-            glm::dvec3 r(c * b.x + s * b.z, 0, -s * b.x + c * b.z);
-            r.x /= std::hypot(s, c);
-            r.z /= std::hypot(s, c);
-            r.y = b.y;
-            double dd = glm::distance(r, is.joints[k][j] - ma);
-            sum += dd;
-            by[j] += dd;
-        }
-    printf("yaw %.1f joints mean %.1f mm, height offset %.1f mm, size %.3f\n",
-           th * 180 / M_PI,
-           1000 * sum / cnt,
-           1000 * (mb.y - ma.y),
-           solved->size.whole);
-    for (size_t j = 0; j < 19; ++j)
-        printf("%s %.0f  ",
-               std::string(motion::kBoneNames[index_of(motion::kBodyBones[j])]).c_str(),
-               1000 * by[j] / n);
-    printf("\n");
+    }
+    const auto done =
+        calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, true), kMannequinHeight);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().message,
+              "camera2: no whole body is visible in it: nose and both ankles must be in view");
+}
+
+TEST(MotionSync, finds_clocks_of_a_dancers_films_from_nothing) {
+    const auto dance = test::written_dance("hiphop", 0, 20.0);
+    const Rig rig = test::ring({0.0, 90.0});
+    auto clocks = test::true_clocks(rig);
+    clocks[1].offset = -1.337;
+    clocks[1].drift_ppm = 40.0;
+    const auto films = test::filmed(dance, rig, clocks, {});
+    const auto rough = rough_clocks(films, 10.0);
+    ASSERT_TRUE(rough) << rough.error().message;
+    EXPECT_NEAR((*rough)[1].offset, -1.337, 0.06);
+    std::vector<MovingSights> sights;
+    for (std::size_t i = 0; i < 2; ++i) {
+        sights.emplace_back(films[i], rig.cameras[i].lens);
+    }
+    MotionSyncOptions options;
+    options.error = 15.0;
+    options.fits_drift = false;
+    const auto found = sync_by_motion(rig, sights, *rough, options);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_NEAR(found->clocks[1].capture_time(clocks[1].camera_time(10.0)), 10.0, 0.017);
 }
 
 }  // namespace

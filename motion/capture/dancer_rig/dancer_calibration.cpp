@@ -1,4 +1,4 @@
-#include "motion/capture/calibration/dancer_calibration.hpp"
+#include "motion/capture/dancer_rig/dancer_calibration.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "motion/capture/calibration/dancer_sights.hpp"
+#include "motion/capture/dancer_rig/dancer_sights.hpp"
 
 #include <algorithm>
 #include <cmath>

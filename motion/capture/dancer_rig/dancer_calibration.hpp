@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/capture/calibration/dancer_adjustment.hpp"
-#include "motion/capture/calibration/dancer_sights.hpp"
 #include "motion/capture/camera/rig.hpp"
+#include "motion/capture/dancer_rig/dancer_adjustment.hpp"
+#include "motion/capture/dancer_rig/dancer_sights.hpp"
 #include "motion/capture/markerless/dancer_floor.hpp"
 #include "motion/capture/markerless/keypoint_take.hpp"
 

@@ -1,4 +1,4 @@
-#include "motion/capture/calibration/dancer_adjustment.hpp"
+#include "motion/capture/dancer_rig/dancer_adjustment.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
-#include "motion/capture/calibration/dancer_sights.hpp"
+#include "motion/capture/dancer_rig/dancer_sights.hpp"
 
 namespace raks::capture {
 
