@@ -1,5 +1,6 @@
-# OpenCV's modules that calibrate cameras, as RaksOpenCV::RaksOpenCV. Its own CMake files come only
-# with Debian's libopencv-dev, and that with a hundred packages (Java, VTK, GDAL) that none needs.
+# OpenCV's modules that calibrate cameras, as RaksOpenCV::RaksOpenCV, and the one that runs networks, as
+# RaksOpenCV::Networks. Its own CMake files come only with Debian's libopencv-dev, and that with a hundred
+# packages (Java, VTK, GDAL) that none needs.
 find_path(RaksOpenCV_INCLUDE_DIR opencv2/aruco.hpp PATH_SUFFIXES opencv4)
 set(RaksOpenCV_LIBRARIES "")
 set(RaksOpenCV_NEEDED RaksOpenCV_INCLUDE_DIR)
@@ -8,6 +9,9 @@ foreach(module aruco video calib3d imgproc core)
     list(APPEND RaksOpenCV_LIBRARIES "${RaksOpenCV_${module}}")
     list(APPEND RaksOpenCV_NEEDED RaksOpenCV_${module})
 endforeach()
+
+find_library(RaksOpenCV_dnn opencv_dnn)
+list(APPEND RaksOpenCV_NEEDED RaksOpenCV_dnn)
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(RaksOpenCV REQUIRED_VARS ${RaksOpenCV_NEEDED}
@@ -18,4 +22,6 @@ if(NOT TARGET RaksOpenCV::RaksOpenCV)
     add_library(RaksOpenCV::RaksOpenCV INTERFACE IMPORTED GLOBAL)
     target_include_directories(RaksOpenCV::RaksOpenCV SYSTEM INTERFACE "${RaksOpenCV_INCLUDE_DIR}")
     target_link_libraries(RaksOpenCV::RaksOpenCV INTERFACE ${RaksOpenCV_LIBRARIES})
+    add_library(RaksOpenCV::Networks INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(RaksOpenCV::Networks INTERFACE "${RaksOpenCV_dnn}" RaksOpenCV::RaksOpenCV)
 endif()

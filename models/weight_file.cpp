@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/half_float.hpp"
 #include "base/hash.hpp"
 #include "base/printable.hpp"
 
@@ -16,15 +17,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 constexpr float kLargestWeight = 1e6F;  // the shipped ones stay below 100
-
-float float_of_half(std::uint16_t half) {
-    const int exponent = (half >> 10) & 31;
-    const auto fraction = static_cast<float>(half & 1023U);
-    const float magnitude = exponent == 0    ? std::ldexp(fraction, -24)
-                            : exponent == 31 ? INFINITY
-                                             : std::ldexp(1024.0F + fraction, exponent - 25);
-    return (half & 0x8000U) != 0U ? -magnitude : magnitude;
-}
 
 std::string words_of(const WeightReader::Sizes& sizes) {
     return fmt::format("{}", fmt::join(sizes, " x "));

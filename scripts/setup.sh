@@ -18,9 +18,9 @@ declare -A lists=(
         libtomlplusplus-dev libpugixml-dev libcli11-dev libfmt-dev libexpected-dev libseccomp-dev liboscpack-dev"
     # OpenGL and letters.
     [run]="libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libopengl0 fonts-dejavu-core"
-    # raks-train (MIDI, matrices) and raks-capture (cameras).
+    # raks-train (MIDI, matrices) and raks-capture (cameras, networks).
     [learn]="libfluidsynth-dev libopenblas-dev libopencv-calib3d-dev libopencv-imgproc-dev
-        libopencv-contrib-dev libceres-dev"
+        libopencv-dnn-dev libopencv-contrib-dev libceres-dev"
     # Pictures through PipeWire: play and live --video-out pipewire.
     [stream]="libpipewire-0.3-dev"
     # HTTP and a page for phones (play and live --remote), what players play (--now-playing), MIDI

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/raks_capture/calibrate_dancer.hpp"
 #include "apps/raks_capture/calibration_choices.hpp"
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
@@ -202,6 +203,29 @@ ExitCode take_rig(const CapturePlan& plan,
     return exit_code_of(write_file(output, capture::rig_text(read->rig)));
 }
 
+ExitCode take_dancer(const CapturePlan& plan,
+                     const CalibrationArguments& arguments,
+                     const Path& output) {
+    const auto done = calibrate_by_dancer(plan, dancer_height(plan, arguments.height));
+    if (!done) {
+        return fail(done.error());
+    }
+    if (const auto written = write_file(output, capture::rig_text(done->rig)); !written) {
+        return fail(written.error());
+    }
+    for (const auto& lines : {done->doubts, capture::rig_doubts(done->rig)}) {
+        for (const std::string& line : lines) {
+            say(line);
+        }
+    }
+    if (arguments.as_json) {
+        print_json(dancer_report_json(*done));
+    } else {
+        print_text(dancer_report_text(*done));
+    }
+    return kExitDone;
+}
+
 }  // namespace
 
 ExitCode calibrate(const CalibrationArguments& arguments) {
@@ -215,6 +239,9 @@ ExitCode calibrate(const CalibrationArguments& arguments) {
     }
     if (auto checked = check_cameras(*plan); !checked) {
         return fail(std::move(checked.error()));
+    }
+    if (arguments.is_by_dancer) {
+        return take_dancer(*plan, arguments, output);
     }
     const auto before = chosen_before(*plan);
     if (!before) {

@@ -17,6 +17,16 @@ void add_run(CommandTable& table) {
                                 "do every step that is missing or older than what it is made from",
                                 &run_capture);
     app->add_option("folder", arguments->folder, "the capture")->required();
+    auto* const markerless =
+        app->add_flag("--markerless",
+                      arguments->is_markerless,
+                      "without markers and board, from two cameras on; a folder of films will do");
+    app->add_option(
+           "--height", arguments->height, "metres of the dancer, for a folder without capture.toml")
+        ->check(in_range(0.8, 2.5))
+        ->needs(markerless);
+    app->add_option("--music", arguments->music, "the song that was played, likewise")
+        ->needs(markerless);
 }
 
 void add_simulate(CommandTable& table) {
@@ -121,7 +131,7 @@ void add_calibrate(CommandTable& table) {
     const auto [app, arguments] = table.add<CalibrationArguments>(
         table.app(),
         "calibrate",
-        "find lenses and places of the cameras with a printed board",
+        "find lenses and places of the cameras with a printed board, or by the dancer",
         &calibrate);
     app->add_option("folder", arguments->folder, "the capture")->required();
     app->add_option("-o,--out", arguments->output, "the rig (rig.toml of the folder)");
@@ -149,6 +159,14 @@ void add_calibrate(CommandTable& table) {
     app->add_option("--up", arguments->up, "which axis of that rig points up")
         ->check(one_of({"y", "z"}))
         ->needs(rig);
+    auto* const dancer =
+        app->add_flag("--dancer",
+                      arguments->is_by_dancer,
+                      "without a board: by the joints of the dancer (raks capture keypoints)");
+    dancer->excludes(rig);
+    app->add_option("--height", arguments->height, "metres of the dancer, from which sizes follow")
+        ->check(in_range(0.8, 2.5))
+        ->needs(dancer);
     app->add_flag("--json", arguments->as_json, "print the report as JSON");
 }
 
@@ -179,8 +197,10 @@ void add_label(CommandTable& table) {
 }
 
 void add_track_by_angles(CLI::App& app, TrackArguments& arguments) {
-    app.add_option("--method", arguments.method, "follow each marker by itself, or the whole body")
-        ->check(one_of({"positions", "angles"}));
+    app.add_option("--method",
+                   arguments.method,
+                   "follow each marker by itself, or the whole body; or a dancer without markers")
+        ->check(one_of({"positions", "angles", "markerless"}));
     app.add_option("--body", arguments.body, "angles: which joints move")
         ->check(one_of({"dance", "paper"}));
     app.add_option("--likelihood", arguments.likelihood, "angles: what a posture is judged by")
@@ -226,6 +246,35 @@ void add_track(CommandTable& table) {
     add_track_by_angles(*app, *arguments);
 }
 
+void add_keypoints(CommandTable& table) {
+    const auto [app, arguments] =
+        table.add<KeypointArguments>(table.app(),
+                                     "keypoints",
+                                     "find the joints of a dancer without markers, in all films",
+                                     &keypoints);
+    app->add_option("folder", arguments->folder, "the capture")->required();
+    app->add_option("--pose-model",
+                    arguments->network,
+                    "network that finds joints: lite, full or heavy, or its file");
+    app->add_flag("--preview",
+                  arguments->is_preview,
+                  "look at every third picture, with the network lite where it is there");
+    app->add_option("--threads", arguments->threads, "cores to use, one a film (all)")
+        ->check(in_range(1, 256));
+    TakenKeypoints& taken = arguments->taken;
+    auto* const from = app->add_option("--from",
+                                       taken.from,
+                                       "CAMERA=PATH: joints that another program found: OpenPose's "
+                                       "folder of JSON, or a table; once a camera");
+    app->add_option("--map", taken.map, "what its names mean (TSV)")->needs(from);
+    app->add_option(
+           "--fps", taken.pictures_per_second, "pictures a second, of cameras without film")
+        ->check(in_range(1.0, 1000.0))
+        ->needs(from);
+    app->add_option("--size", taken.size, "size of the pictures, likewise, such as 1920x1080")
+        ->needs(from);
+}
+
 void add_correct(CommandTable& table) {
     const auto [app, arguments] = table.add<CorrectArguments>(
         table.app(), "correct", "look at the tracks and put them right, in a window", &correct);
@@ -234,8 +283,19 @@ void add_correct(CommandTable& table) {
 
 void add_solve(CommandTable& table) {
     const auto [app, arguments] = table.add<SolveArguments>(
-        table.app(), "solve", "find the dancer's body and its dance in the tracks", &solve_capture);
-    app->add_option("folder", arguments->folder, "the capture")->required();
+        table.app(),
+        "solve",
+        "find the dancer's body and its dance in the tracks, or in anybody's points",
+        &solve_capture);
+    app->add_option("folder", arguments->folder, "the capture, or a file of points (TRC, C3D, CSV)")
+        ->required();
+    app->add_option("-o,--out", arguments->output, "points: the dance (BVH); without: beside it");
+    app->add_option("--unit", arguments->unit, "points: their unit, where the file is wrong")
+        ->check(one_of({"m", "cm", "mm"}));
+    app->add_option("--up", arguments->up, "points: which axis is up, likewise")
+        ->check(one_of({"x", "y", "z"}));
+    app->add_option("--names", arguments->names, "points: which joints their names mean (TSV)");
+    app->add_option("--markers", arguments->markers, "points: the marker set that they are (TOML)");
     app->add_option("--height", arguments->height, "metres of the dancer")
         ->check(in_range(0.8, 2.5));
     app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")
@@ -262,6 +322,9 @@ void add_compare(CommandTable& table) {
     app->add_option("other", arguments->other, "another one")->required();
     app->add_option("--shift", arguments->shift, "seconds by which the other one begins later")
         ->check(in_range(-86400.0, 86400.0));
+    app->add_flag("--align",
+                  arguments->is_aligned,
+                  "turn the other one about the vertical and move it, so that it fits best");
     app->add_flag("--json", arguments->as_json, "print JSON");
 }
 
@@ -276,6 +339,7 @@ void add_commands(CommandTable& table) {
     add_sync(table);
     add_label(table);
     add_track(table);
+    add_keypoints(table);
     add_correct(table);
     add_solve(table);
     add_report(table);

@@ -7,6 +7,7 @@
 
 #include "apps/clips/body_arguments.hpp"
 #include "apps/raks_capture/calibration_choices.hpp"
+#include "apps/raks_capture/taken_keypoints.hpp"
 #include "apps/terminal/program.hpp"
 #include "motion/capture/studio/point_studio.hpp"
 
@@ -17,8 +18,12 @@ namespace raks::apps {
 /// Arguments of `raks capture run`.
 struct RunArguments {
     Path folder;
+    bool is_markerless = false;  ///< whatever capture.toml says
+    double height = 0.0;         ///< metres, where a capture.toml is written; 0: not said
+    Path music;                  ///< likewise; empty: none
 };
-/// Does every step that is missing or older than what it is made from. Errors: those of the steps.
+/// Does every step that is missing or older than what it is made from. Without markers a folder of
+/// films needs no capture.toml: one is written. Errors: those of the steps.
 [[nodiscard]] ExitCode run_capture(const RunArguments& arguments);
 
 /// Arguments of `raks capture simulate`.
@@ -76,13 +81,15 @@ struct CalibrationArguments {
     Path folder;
     Path output;  ///< empty: rig.toml of the folder
     CalibrationChoices choices;
-    Path rig;          ///< of another program; empty: the board is looked for
-    std::string unit;  ///< of that rig; empty: as it says
-    std::string up;    ///< likewise
+    Path rig;                   ///< of another program; empty: the board is looked for
+    std::string unit;           ///< of that rig; empty: as it says
+    std::string up;             ///< likewise
+    bool is_by_dancer = false;  ///< from keypoints, without a board
+    double height = 0.0;        ///< of the dancer, metres; 0: capture.toml's
     bool as_json = false;
 };
-/// Finds lenses and places of the cameras by a board. Errors: films that show it too seldom;
-/// files.
+/// Finds lenses and places of the cameras by a board, or by the dancer. Errors: films that show it
+/// too seldom; files.
 [[nodiscard]] ExitCode calibrate(const CalibrationArguments& arguments);
 
 /// Arguments of `raks capture sync`.
@@ -131,6 +138,18 @@ struct TrackArguments {
 /// Follows the markers through all films. Errors: no rig, no labels; files.
 [[nodiscard]] ExitCode track(const TrackArguments& arguments);
 
+/// Arguments of `raks capture keypoints`.
+struct KeypointArguments {
+    Path folder;
+    std::string network = "full";  ///< lite, full or heavy, or a file
+    bool is_preview = false;       ///< every third picture, and the network lite
+    int threads = 0;               ///< 0: as many as there are cores
+    TakenKeypoints taken;          ///< instead of looking at films
+};
+/// Finds the joints of a dancer without markers in all films. Errors: no film; no network; no film
+/// that shows a whole body; files.
+[[nodiscard]] ExitCode keypoints(const KeypointArguments& arguments);
+
 /// Arguments of `raks capture correct`.
 struct CorrectArguments {
     Path folder;
@@ -140,14 +159,20 @@ struct CorrectArguments {
 
 /// Arguments of `raks capture solve`.
 struct SolveArguments {
-    Path folder;
+    Path folder;                     ///< or a file of points
+    Path output;                     ///< of such a file's dance; empty: beside it
+    std::string unit;                ///< of such a file; empty: as it says
+    std::string up;                  ///< likewise
+    Path names;                      ///< of its points; empty: as they are
+    Path markers;                    ///< that its points are; empty: joints
     double height = 0.0;             ///< metres; 0: capture.toml's
     double frames_per_second = 0.0;  ///< 0: capture.toml's
     std::string body;                ///< empty: capture.toml's
     double smoothness = 1.0;
     bool as_json = false;
 };
-/// Finds the dancer's body and its dance in the tracks. Errors: no tracks; too few markers; files.
+/// Finds the dancer's body and its dance in the tracks, or in the points of a file. Errors: no
+/// tracks; too few markers; files.
 [[nodiscard]] ExitCode solve_capture(const SolveArguments& arguments);
 
 /// Arguments of `raks capture report`.
@@ -163,7 +188,8 @@ struct ReportArguments {
 struct CompareArguments {
     Path one;
     Path other;
-    double shift = 0.0;  ///< seconds
+    double shift = 0.0;       ///< seconds
+    bool is_aligned = false;  ///< turned about the vertical and moved to fit best
     bool as_json = false;
 };
 /// Prints how far two motions of the same dance are apart. Errors: those of reading them.

@@ -105,10 +105,12 @@ void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& compl
     if (const toml::node* const body = root.get("body")) {
         plan.is_paper_body = complaints.word(*body, "body", kBodies) == 1;
     }
-    constexpr std::array<std::string_view, 2> kMethods = {"positions", "angles"};
+    constexpr std::array<std::string_view, 3> kMethods = {"positions", "angles", "markerless"};
     if (const toml::node* const method = root.get("method")) {
-        plan.method = complaints.word(*method, "method", kMethods) == 1 ? TrackingMethod::angles
-                                                                        : TrackingMethod::positions;
+        constexpr std::array kTold = {TrackingMethod::positions, TrackingMethod::angles};
+        const std::size_t which = complaints.word(*method, "method", kMethods);
+        plan.is_markerless = which >= kTold.size();
+        plan.method = plan.is_markerless ? std::nullopt : std::optional(kTold[which]);
     }
     plan.music = complaints.text(root, "music");
     plan.markers = complaints.text(root, "markers");
@@ -175,7 +177,9 @@ std::string capture_plan_text(const CapturePlan& plan) {
         text += fmt::format("height = {}\n", plan.height);
     }
     text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
-    if (plan.method) {
+    if (plan.is_markerless) {
+        text += "method = \"markerless\"\n";
+    } else if (plan.method) {
         text += fmt::format("method = \"{}\"\n",
                             *plan.method == TrackingMethod::angles ? "angles" : "positions");
     }
@@ -248,6 +252,14 @@ Expected<void> check_cameras(const CapturePlan& plan) {
                : fail(fmt::format("{}: one camera is too few: where something is, two or more "
                                   "tell; film from two places and name both films",
                                   plan.file("capture.toml").string()));
+}
+
+std::vector<std::string> plan_names(const CapturePlan& plan) {
+    std::vector<std::string> names;
+    for (const PlannedCamera& camera : plan.cameras) {
+        names.push_back(camera.name);
+    }
+    return names;
 }
 
 Expected<capture::MarkerSet> load_markers(const CapturePlan& plan) {

@@ -32,7 +32,7 @@ enum class TrackingMethod { positions, angles };
 ///     height = 1.72                 # of the dancer, metres; left out: found from the markers
 ///     body = "dance"                # or "paper": 22 degrees of freedom
 ///     method = "positions"          # or "angles": how markers are followed; left out: by what
-///                                   # the cameras can tell apart
+///                                   # the cameras can tell apart; or "markerless"
 ///     music = "song.mp3"            # left out: none
 ///     markers = "markers.toml"      # left out: the shipped set
 ///     frames_per_second = 60.0      # of the dance that comes out; left out: 60
@@ -57,6 +57,7 @@ struct CapturePlan {
     double height = 0.0;                     ///< metres; 0: not said
     bool is_paper_body = false;              ///< body = "paper"
     std::optional<TrackingMethod> method{};  ///< none: by what the cameras can tell apart
+    bool is_markerless = false;              ///< method = "markerless": no markers, no board
     std::filesystem::path music;
     std::filesystem::path markers;
     double frames_per_second = 60.0;
@@ -95,6 +96,8 @@ struct CapturePlan {
 
 /// That a capture has cameras enough to tell where something is. Error: it has one.
 [[nodiscard]] Expected<void> check_cameras(const CapturePlan& plan);
+/// The names of its cameras.
+[[nodiscard]] std::vector<std::string> plan_names(const CapturePlan& plan);
 
 /// The markers of a capture. Errors: those of its marker set.
 [[nodiscard]] Expected<capture::MarkerSet> load_markers(const CapturePlan& plan);

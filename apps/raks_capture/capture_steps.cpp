@@ -58,6 +58,35 @@ bool has_board_films(const CapturePlan& plan, const std::vector<Path>& boards) {
            });
 }
 
+// Without markers: joints instead of spots, and no board.
+std::vector<CaptureStep> markerless_steps(const CapturePlan& plan,
+                                          const std::vector<Path>& films,
+                                          CaptureStep sync,
+                                          CaptureStep solve,
+                                          CaptureStep report) {
+    std::vector<Path> seen;
+    for (const PlannedCamera& camera : plan.cameras) {
+        seen.push_back(plan.file("keypoints") / (camera.name + ".csv"));
+    }
+    // Where nothing is heard, clocks are told from the joints.
+    sync.inputs = joined(std::move(sync.inputs), seen);
+    sync.has_source = true;
+    const std::vector<Path> boards = films_of(plan, &PlannedCamera::calibration);
+    const std::vector<Path> placed = files_of(plan, {"capture.toml", "clocks.toml"});
+    return {{"keypoints", {}, films, seen, !films.empty()},
+            std::move(sync),
+            {"calibrate",
+             {"--dancer"},
+             joined(joined(placed, seen), boards),
+             files_of(plan, {"rig.toml"})},
+            {"track",
+             {"--method", "markerless"},
+             joined(joined(placed, seen), files_of(plan, {"rig.toml", "edits.jsonl"})),
+             files_of(plan, {"tracks.csv"})},
+            std::move(solve),
+            std::move(report)};
+}
+
 }  // namespace
 
 std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
@@ -101,6 +130,9 @@ std::vector<CaptureStep> capture_steps(const CapturePlan& plan) {
                                  "edits.jsonl",
                                  "dance.bvh"}),
                        files_of(plan, {"report.html"})};
+    if (plan.is_markerless) {
+        return markerless_steps(plan, films, std::move(sync), std::move(solve), std::move(report));
+    }
     if (shows_both(plan)) {
         calibrate.arguments = {"--clocks", plan.file("clocks.toml").string()};
         calibrate.inputs.push_back(plan.file("clocks.toml"));

@@ -23,6 +23,7 @@ struct CaptureStep {
 /// The steps of a capture, in order: calibrate, sync, track, solve, report. Where each film shows
 /// board and dance, its clock is that of both: sync comes first, and calibrate takes clocks.toml.
 /// Calibration films of their own are synchronised before calibrate; folders of pictures are not.
+/// Without markers: keypoints, sync, calibrate by the dancer, track, solve, report.
 [[nodiscard]] std::vector<CaptureStep> capture_steps(const CapturePlan& plan);
 
 /// What is to be done about a step.

@@ -1,6 +1,8 @@
 // `raks capture compare`: how far two motions of the same dance are apart.
 #include <fmt/format.h>
 
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/json.hpp"
+#include "motion/evaluate/motion_alignment.hpp"
 #include "motion/evaluate/motion_comparison.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 
@@ -34,6 +37,32 @@ std::string row_of(std::string_view name, const motion::JointDifference& joint) 
                        joint.angle ? fmt::format("{:.1f}", *joint.angle) : "");
 }
 
+/// Mean angle of the limbs' bones of one kind, both sides; degrees.
+double limb_angle(const motion::MotionComparison& comparison,
+                  std::initializer_list<motion::Bone> left_bones) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < comparison.joints.size(); ++i) {
+        for (const motion::Bone left : left_bones) {
+            const motion::Bone bone = motion::kBodyBones[i];
+            const bool is_meant = bone == left || bone == motion::mirrored(left);
+            if (is_meant && comparison.joints[i].angle) {
+                sum += *comparison.joints[i].angle;
+                count += 1.0;
+            }
+        }
+    }
+    return count > 0.0 ? sum / count : 0.0;
+}
+
+double leg_angle(const motion::MotionComparison& comparison) {
+    return limb_angle(comparison, {motion::Bone::left_upper_leg, motion::Bone::left_lower_leg});
+}
+
+double arm_angle(const motion::MotionComparison& comparison) {
+    return limb_angle(comparison, {motion::Bone::left_upper_arm, motion::Bone::left_lower_arm});
+}
+
 std::string table_of(const motion::MotionComparison& comparison) {
     std::string text =
         fmt::format("{:<16} {:>9} {:>9} {:>9}\n", "", "from hips", "world", "degrees");
@@ -43,15 +72,30 @@ std::string table_of(const motion::MotionComparison& comparison) {
     text += row_of("leftToeTip", comparison.toes[0]) + row_of("rightToeTip", comparison.toes[1]);
     return text + fmt::format(
                       "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
-                      "the hips; bones {:.1f} degrees; over {:.1f} s\n",
+                      "the hips; bones {:.1f} degrees, legs {:.1f}, arms {:.1f}; over {:.1f} s\n",
                       kInMillimetres * comparison.from_hips,
                       kInMillimetres * comparison.world,
                       kInMillimetres * comparison.feet,
                       comparison.angle,
+                      leg_angle(comparison),
+                      arm_angle(comparison),
                       comparison.seconds);
 }
 
-std::string json_of(const motion::MotionComparison& comparison) {
+std::string alignment_text(const motion::MotionAlignment& alignment) {
+    return fmt::format(
+        "turned by {:.1f} degrees about the vertical and moved by {:.2f} {:.2f} {:.2f} m; as they "
+        "are: up off by {:.1f} degrees, scale {:.3f}\n",
+        alignment.turn,
+        alignment.move.x,
+        alignment.move.y,
+        alignment.move.z,
+        alignment.tilt,
+        alignment.scale);
+}
+
+std::string json_of(const motion::MotionComparison& comparison,
+                    const std::optional<motion::MotionAlignment>& alignment) {
     const auto joint_json = [](const motion::JointDifference& joint) {
         Json json = {{"from_hips", joint.from_hips}, {"world", joint.world}};
         if (joint.angle) {
@@ -66,14 +110,22 @@ std::string json_of(const motion::MotionComparison& comparison) {
     }
     joints["leftToeTip"] = joint_json(comparison.toes[0]);
     joints["rightToeTip"] = joint_json(comparison.toes[1]);
-    const Json json = {{"format", "raks-comparison"},
-                       {"version", 1},
-                       {"seconds", comparison.seconds},
-                       {"from_hips", comparison.from_hips},
-                       {"world", comparison.world},
-                       {"feet", comparison.feet},
-                       {"angle", comparison.angle},
-                       {"joints", joints}};
+    Json json = {{"format", "raks-comparison"},
+                 {"version", 1},
+                 {"seconds", comparison.seconds},
+                 {"from_hips", comparison.from_hips},
+                 {"world", comparison.world},
+                 {"feet", comparison.feet},
+                 {"angle", comparison.angle},
+                 {"legs_angle", leg_angle(comparison)},
+                 {"arms_angle", arm_angle(comparison)},
+                 {"joints", joints}};
+    if (alignment) {
+        json["alignment"] = {{"turn", alignment->turn},
+                             {"move", {alignment->move.x, alignment->move.y, alignment->move.z}},
+                             {"up_off", alignment->tilt},
+                             {"scale", alignment->scale}};
+    }
     return json.text(2) + "\n";
 }
 
@@ -84,18 +136,26 @@ ExitCode compare(const CompareArguments& arguments) {
     if (!one) {
         return fail(one.error());
     }
-    const auto other = load_track(arguments.other);
+    auto other = load_track(arguments.other);
     if (!other) {
         return fail(other.error());
+    }
+    std::optional<motion::MotionAlignment> alignment;
+    if (arguments.is_aligned) {
+        const auto found = motion::align_motion(*one, *other, arguments.shift);
+        if (!found) {
+            return fail(found.error());
+        }
+        alignment = *found;
     }
     const auto comparison = motion::compare_motions(*one, *other, arguments.shift);
     if (!comparison) {
         return fail(comparison.error());
     }
     if (arguments.as_json) {
-        print_json(json_of(*comparison));
+        print_json(json_of(*comparison, alignment));
     } else {
-        print_text(table_of(*comparison));
+        print_text(table_of(*comparison) + (alignment ? alignment_text(*alignment) : ""));
     }
     return kExitDone;
 }

@@ -140,9 +140,7 @@ Expected<capture::SeenFilm> detect_in_film(const CameraFilm& film,
     if (!reader) {
         return fail(reader.error());
     }
-    const engine::FilmInfo& info = (*reader)->info();
-    const auto all = static_cast<std::size_t>(std::lround(
-        std::clamp(info.claimed_seconds.value_or(0.0) * info.pictures_per_second, 0.0, 1e9)));
+    const std::size_t all = claimed_pictures((*reader)->info());
     capture::SeenFilm seen{.camera = film.camera, .pictures = {}};
     for (;;) {
         const auto picture = (*reader)->next();
@@ -273,6 +271,11 @@ Expected<std::unique_ptr<engine::FilmReader>> open_film(const CameraFilm& film,
                     film.height,
                     is_turned ? "the camera was turned; film board and dance alike"
                               : "film board and dance with the same settings"));
+}
+
+std::size_t claimed_pictures(const engine::FilmInfo& info) {
+    return static_cast<std::size_t>(std::lround(
+        std::clamp(info.claimed_seconds.value_or(0.0) * info.pictures_per_second, 0.0, 1e9)));
 }
 
 Expected<FilmDetections> detect_in_films(std::span<const CameraFilm> films,

@@ -46,6 +46,9 @@ struct DetectionOptions {
 [[nodiscard]] Expected<std::unique_ptr<engine::FilmReader>> open_film(
     const CameraFilm& film, const DetectionOptions& options);
 
+/// Pictures of a film in all, as it claims; 0: unknown.
+[[nodiscard]] std::size_t claimed_pictures(const engine::FilmInfo& info);
+
 /// What was found in the films, and what is doubtful about it.
 struct FilmDetections {
     capture::Observations seen;       ///< as detections.csv has it; colours as of the marker set

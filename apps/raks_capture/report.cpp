@@ -7,6 +7,7 @@
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_page.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/keypoint_step.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
@@ -58,11 +59,6 @@ Expected<void> read_body(const Path& file, CaptureReport& report) {
 Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& arguments) {
     CaptureReport report;
     report.name = std::filesystem::weakly_canonical(plan.folder).filename().string();
-    auto markers = load_markers(plan);
-    if (!markers) {
-        return fail(std::move(markers.error()));
-    }
-    report.markers = std::move(*markers);
     auto done = read_if_there(
         plan.file("rig.toml"), report.rig, [&plan] { return load_capture_rig(plan); });
     if (done) {
@@ -73,6 +69,11 @@ Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& a
         done = read_if_there(
             plan.file("tracks.csv"), report.tracks, [&plan] { return load_tracks(plan.folder); });
     }
+    auto markers = report.tracks ? markers_of(plan, *report.tracks) : load_markers(plan);
+    if (!markers) {
+        return fail(std::move(markers.error()));
+    }
+    report.markers = std::move(*markers);
     if (done) {
         done = read_if_there(
             plan.file("edits.jsonl"), report.edits, [&plan] { return load_edits(plan); });

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,9 +20,22 @@
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/pending_file.hpp"
 
 namespace raks::apps {
 namespace {
+
+constexpr std::string_view kFilmEndings = ".mp4, .mov, .mkv, .webm, .avi, .m4v";
+
+bool is_film(const Path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    constexpr std::array<std::string_view, 6> kEndings = {
+        ".mp4", ".mov", ".mkv", ".webm", ".avi", ".m4v"};
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
 
 // A step as its command line.
 ExitCode run_step(const CaptureStep& step, const Path& folder) {
@@ -90,22 +107,77 @@ ExitCode say_what_is_next(const CapturePlan& plan) {
     if (!offset) {
         return fail(offset.error());
     }
-    std::string line = "raks train figure " + shell_word(plan.file("dance.bvh").string());
-    if (*offset) {
-        line += fmt::format(
-            " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
+    const std::string clip = shell_word(plan.file("dance.bvh").string());
+    if (!*offset) {
+        print_text("raks train figure " + clip + " -o mine\n");
+        return kExitDone;
     }
-    print_text(line + " -o mine\n");
+    const std::string song = fmt::format(
+        " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
+    if (plan.is_markerless) {
+        say("improvised, without figures: raks train take " + clip + song + " -o mine");
+    }
+    print_text("raks train figure " + clip + song + " -o mine\n");
     return kExitDone;
+}
+
+// A folder of films without capture.toml becomes a capture of as many cameras.
+Expected<void> begin_markerless(const RunArguments& arguments) {
+    const Path folder = arguments.folder;
+    const Path file = folder / "capture.toml";
+    std::error_code problem;
+    if (!arguments.is_markerless || is_there(file)) {
+        if (arguments.height > 0.0 || !arguments.music.empty()) {
+            say(file.string() + ": is there; height and music are those that it says");
+        }
+        return {};
+    }
+    CapturePlan plan;
+    plan.folder = folder;
+    plan.is_markerless = true;
+    plan.height = arguments.height;
+    plan.music = arguments.music.empty() ? Path() : std::filesystem::absolute(arguments.music);
+    std::vector<Path> films;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) {
+        if (is_film(entry.path())) {
+            films.push_back(entry.path().filename());
+        }
+    }
+    std::sort(films.begin(), films.end());
+    for (const Path& film : films) {
+        PlannedCamera camera;
+        camera.name = film.stem().string();
+        camera.film = film;
+        plan.cameras.push_back(std::move(camera));
+    }
+    if (plan.cameras.size() < 2) {
+        return fail(fmt::format(
+            "{}: has {} films ({}); two are needed, of one dance at the same time, from 70 to 100 "
+            "degrees apart",
+            folder.string(),
+            plan.cameras.size(),
+            kFilmEndings));
+    }
+    // What a camera may not be called, the reader says.
+    const std::string text = capture_plan_text(plan);
+    if (auto read = parse_capture_plan(text, file.string(), folder); !read) {
+        return fail(std::move(read.error()));
+    }
+    say(fmt::format("{}: written, for {} films", file.string(), plan.cameras.size()));
+    return write_file(file, text);
 }
 
 }  // namespace
 
 ExitCode run_capture(const RunArguments& arguments) {
-    const auto plan = load_capture_plan(arguments.folder);
+    if (auto begun = begin_markerless(arguments); !begun) {
+        return fail(std::move(begun.error()));
+    }
+    auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
         return fail(plan.error());
     }
+    plan->is_markerless = plan->is_markerless || arguments.is_markerless;
     if (auto checked = check_cameras(*plan); !checked) {
         return fail(std::move(checked.error()));
     }

@@ -3,22 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
+#include <variant>
 
+#include "apps/raks_capture/calibrate_dancer.hpp"
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/keypoint_step.hpp"
 #include "apps/raks_capture/solve_figures.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file.hpp"
 #include "base/pending_file.hpp"
+#include "motion/capture/markerless/point_tracks.hpp"
 #include "motion/capture/solving/solve.hpp"
 #include "motion/skeleton/formats/bvh.hpp"
+#include "motion/skeleton/formats/motion_file.hpp"
+#include "motion/skeleton/formats/points.hpp"
 
 namespace raks::apps {
 namespace {
 
 constexpr std::size_t kMostDoubtsSaid = 10;
+// Networks take joints to be elsewhere than a skeleton does; metres.
+constexpr double kKeypointDeviation = 0.03;
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
     capture::SolveOptions options;
@@ -66,35 +76,129 @@ void say_result(const capture::SolvedDance& dance) {
     }
 }
 
+// Solves and shows how far it is.
+Expected<capture::SolvedDance> solve_showing(const capture::Tracks& tracks,
+                                             const capture::MarkerSet& markers,
+                                             capture::SolveOptions& options) {
+    ProgressLine progress("body");
+    options.progress = [&progress](double share) {
+        progress.show(share);
+        return !stop_signal();
+    };
+    return capture::solve(tracks, markers, options);
+}
+
+Expected<capture::PointReading> reading_of(const SolveArguments& arguments) {
+    constexpr std::size_t kMostReadingBytes = std::size_t{1} << 20U;
+    capture::PointReading reading;
+    if (!arguments.unit.empty()) {
+        reading.metres_per_unit = motion::metres_of_unit(arguments.unit);
+    }
+    if (!arguments.up.empty()) {
+        reading.up = arguments.up.front();
+    }
+    if (!arguments.names.empty()) {
+        const auto text = read_text_file(arguments.names, kMostReadingBytes);
+        auto names =
+            text ? capture::read_point_names(*text, arguments.names.string()) : fail(text.error());
+        if (!names) {
+            return fail(std::move(names.error()));
+        }
+        reading.names = std::move(*names);
+    }
+    if (!arguments.markers.empty()) {
+        const auto text = read_text_file(arguments.markers, kMostReadingBytes);
+        auto markers =
+            text ? capture::read_marker_set(*text, arguments.markers.string()) : fail(text.error());
+        if (!markers) {
+            return fail(std::move(markers.error()));
+        }
+        reading.markers = std::move(*markers);
+    }
+    return reading;
+}
+
+// A file of anybody's points becomes a BVH.
+ExitCode solve_points(const SolveArguments& arguments) {
+    const auto reading = reading_of(arguments);
+    if (!reading) {
+        return fail(reading.error());
+    }
+    const auto file = motion::read_motion(arguments.folder, {});
+    if (!file) {
+        return fail(file.error());
+    }
+    const auto* const clip = std::get_if<motion::PointClip>(&*file);
+    if (clip == nullptr) {
+        return fail(arguments.folder.string() +
+                    ": holds a skeleton that moves already, no points; train or play it as it is");
+    }
+    const auto points = capture::point_tracks(*clip, *reading);
+    if (!points) {
+        return fail(Error(points.error()).in(arguments.folder.string()));
+    }
+    for (const auto& lines : {clip->warnings, points->notes}) {
+        for (const std::string& line : lines) {
+            say(arguments.folder.string() + ": " + line);
+        }
+    }
+    capture::SolveOptions options = options_of(arguments, CapturePlan{});
+    if (is_of_keypoints(points->tracks)) {
+        options.marker_deviation = kKeypointDeviation;
+    }
+    const auto dance = solve_showing(points->tracks, points->markers, options);
+    if (stop_signal()) {
+        return exit_code_after_signals(kExitPartly);
+    }
+    if (!dance) {
+        return fail(Error(dance.error()).in(arguments.folder.string()));
+    }
+    const Path output = arguments.output.empty() ? Path(arguments.folder).replace_extension(".bvh")
+                                                 : arguments.output;
+    if (auto written =
+            motion::write_bvh(output, dance->skeleton, dance->poses, dance->frames_per_second);
+        !written) {
+        return fail(std::move(written.error()));
+    }
+    if (arguments.as_json) {
+        print_json(solve_json(*dance, std::nullopt));
+    } else {
+        say_result(*dance);
+        say(output.string() + ": written");
+    }
+    return kExitDone;
+}
+
 }  // namespace
 
 ExitCode solve_capture(const SolveArguments& arguments) {
+    std::error_code problem;
+    if (std::filesystem::is_regular_file(arguments.folder, problem)) {
+        return solve_points(arguments);
+    }
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
         return fail(plan.error());
-    }
-    const auto markers = load_markers(*plan);
-    if (!markers) {
-        return fail(markers.error());
     }
     const auto tracks = load_tracks(plan->folder);
     if (!tracks) {
         return fail(tracks.error());
     }
+    const auto markers = markers_of(*plan, *tracks);
+    if (!markers) {
+        return fail(markers.error());
+    }
     capture::SolveOptions options = options_of(arguments, *plan);
+    if (is_of_keypoints(*tracks)) {
+        options.marker_deviation = kKeypointDeviation;
+        options.height = dancer_height(*plan, arguments.height);
+    }
     auto start = load_angles(*plan, options.body);
     if (!start) {
         return fail(std::move(start.error()));
     }
     options.start = std::move(*start);
-    const auto dance = [&] {
-        ProgressLine progress("body");
-        options.progress = [&progress](double share) {
-            progress.show(share);
-            return !stop_signal();
-        };
-        return capture::solve(*tracks, *markers, options);
-    }();
+    const auto dance = solve_showing(*tracks, *markers, options);
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }

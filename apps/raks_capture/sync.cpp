@@ -8,6 +8,7 @@
 
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/motion_clocks.hpp"
 #include "apps/raks_capture/sync_report.hpp"
 #include "apps/raks_capture/synchronise.hpp"
 #include "apps/terminal/program.hpp"
@@ -68,6 +69,37 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
     return plan;
 }
 
+// Clocks of cameras that heard nothing, by what moves; those that were heard are checked by it.
+// Without keypoints nothing changes.
+void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
+    const auto capture = load_capture_plan(arguments.folder);
+    if (!capture || arguments.is_of_boards || !has_keypoints(*capture)) {
+        return;
+    }
+    const std::vector<capture::Clock> heard = result.clocks();
+    if (heard.size() == result.cameras.size()) {
+        for (const std::string& line : check_by_motion(*capture, heard)) {
+            say(line);
+        }
+        return;
+    }
+    const auto clocks = clocks_by_motion(*capture, heard, arguments.within);
+    if (!clocks) {
+        result.warnings.push_back("by what moves: " + clocks.error().message);
+        return;
+    }
+    for (CameraSync& camera : result.cameras) {
+        for (const capture::Clock& clock : *clocks) {
+            if (!camera.clock && clock.camera == camera.camera) {
+                camera.clock = clock;
+                camera.through = "motion";
+            }
+        }
+    }
+    say("no sound tells all clocks: what moves in the films told the others, within some "
+        "10 milliseconds");
+}
+
 // The clocks of the cameras, and that of the song.
 Expected<void> write_clocks(const SyncArguments& arguments,
                             const SyncResult& result,
@@ -104,6 +136,7 @@ ExitCode sync_capture(const SyncArguments& arguments) {
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }
+    tell_by_motion(arguments, *result);
     for (const std::string& warning : result->warnings) {
         say(warning);
     }

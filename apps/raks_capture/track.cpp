@@ -14,18 +14,36 @@
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
+#include "apps/raks_capture/keypoint_step.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
+#include "motion/capture/markers/track_c3d.hpp"
 #include "motion/capture/tracking/feet_floor.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"
 
 namespace raks::apps {
 namespace {
+
+Expected<void> write_files(const CapturePlan& plan,
+                           const std::vector<std::pair<const char*, std::string>>& files) {
+    for (const auto& [name, text] : files) {
+        if (auto written = write_file(plan.file(name), text); !written) {
+            return written;
+        }
+    }
+    return {};
+}
+
+// Those of an earlier method are of other tracks.
+void drop_angles(const CapturePlan& plan) {
+    std::error_code problem;
+    std::filesystem::remove(plan.file("angles.csv"), problem);
+}
 
 Expected<void> write_tracks(const CapturePlan& plan,
                             const TrackingGiven& given,
@@ -34,25 +52,19 @@ Expected<void> write_tracks(const CapturePlan& plan,
     std::vector<std::pair<const char*, std::string>> files = {
         {"flags.tsv", capture::flags_text(tracks)},
         {"moved.tsv", capture::moves_text(followed.stages.moves)},
-        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
+        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
+        {"tracks.c3d", capture::c3d_bytes(tracks)}};
     if (followed.angles) {
         files.emplace_back(
             "angles.csv",
             capture::angles_text(*followed.angles, capture::BodyModel(given.angles->body)));
     }
     if (!followed.angles) {
-        // Those of an earlier method are of other tracks.
-        std::error_code problem;
-        std::filesystem::remove(plan.file("angles.csv"), problem);
+        drop_angles(plan);
     }
     // Last: what follows from it is not older than the others.
     files.emplace_back("tracks.csv", capture::tracks_text(tracks));
-    for (const auto& [name, text] : files) {
-        if (auto written = write_file(plan.file(name), text); !written) {
-            return written;
-        }
-    }
-    return {};
+    return write_files(plan, files);
 }
 
 // How far each stage is from the truth.
@@ -206,12 +218,41 @@ capture::ChromaForm form_named(std::string_view name) {
     return name == "crcb" ? capture::ChromaForm::crcb : capture::ChromaForm::normalised;
 }
 
+// Without markers: the joints that a network saw.
+ExitCode track_joints(const CapturePlan& plan, const TrackArguments& arguments) {
+    if (!arguments.truth.empty()) {
+        return fail(
+            "--truth is of markers; raks capture compare --align tells how far the dance "
+            "of a take without markers is from the true one");
+    }
+    const auto tracks = track_keypoints(plan);
+    if (!tracks) {
+        return fail(tracks.error());
+    }
+    drop_angles(plan);
+    const auto written = write_files(plan,
+                                     {{"flags.tsv", capture::flags_text(*tracks)},
+                                      {"moved.tsv", capture::moves_text({})},
+                                      {"tracks.trc", capture::trc_text(*tracks, "tracks.trc")},
+                                      {"tracks.c3d", capture::c3d_bytes(*tracks)},
+                                      {"tracks.csv", capture::tracks_text(*tracks)}});
+    if (written) {
+        say(summary_of(*tracks));
+    }
+    return exit_code_of(written);
+}
+
 }  // namespace
 
 ExitCode track(const TrackArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);
     if (!plan) {
         return fail(plan.error());
+    }
+    const bool is_markerless =
+        arguments.method.empty() ? plan->is_markerless : arguments.method == "markerless";
+    if (is_markerless) {
+        return track_joints(*plan, arguments);
     }
     auto given =
         load_tracking(*plan,

@@ -88,11 +88,11 @@ void add_train_take(CommandTable& table) {
     app->add_option("clips", a->clips, "motion files, or a folder of them")->required();
     auto* const counts =
         app->add_option("--counts", a->counts, "TSV: take, time, half, used; a row a beat");
-    auto* const propose =
-        app->add_option("--propose", a->propose, "X.tsv: propose that table and stop")
-            ->excludes(counts);
+    app->add_option("--propose", a->propose, "X.tsv: propose that table and stop")
+        ->excludes(counts);
     auto* const music =
-        app->add_option("--music", a->music, "song that was danced to")->needs(propose);
+        app->add_option("--music", a->music, "song that was danced to: its beats are the counts")
+            ->excludes(counts);
     app->add_option("--offset", a->offset, "seconds of the song at a clip's first frame")
         ->check(in_range(-86400.0, 86400.0))
         ->needs(music);

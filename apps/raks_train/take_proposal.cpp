@@ -102,21 +102,7 @@ Expected<void> write_proposal(const TrainTakeArguments& arguments, const Propose
     return {};
 }
 
-}  // namespace
-
-ExitCode propose_take(const TrainTakeArguments& arguments) {
-    const Path page = page_beside(arguments.propose);
-    if (page == arguments.propose) {
-        complain("--propose writes a table, and a page beside it: call it X.tsv");
-        return kExitUsage;
-    }
-    std::vector<Path> inputs = arguments.clips;
-    inputs.push_back(arguments.music);
-    for (const Path& output : {arguments.propose, page}) {
-        if (auto checked = check_output(output, inputs); !checked) {
-            return fail(std::move(checked.error()));
-        }
-    }
+Expected<Proposed> propose_all(const TrainTakeArguments& arguments) {
     motion::FigureTrainingPlan files;
     files.clips = arguments.clips;
     const auto paths = motion::clips_by_take(files);
@@ -148,7 +134,37 @@ ExitCode propose_take(const TrainTakeArguments& arguments) {
             all.grids.push_back(take->proposal.grid);
         }
     }
-    return exit_code_of(write_proposal(arguments, all));
+    return all;
+}
+
+}  // namespace
+
+Expected<std::string> beats_by_song(const TrainTakeArguments& arguments) {
+    const auto all = propose_all(arguments);
+    if (!all) {
+        return fail(all.error());
+    }
+    if (all->grids.empty()) {
+        return fail("none of the clips has beats of the song");
+    }
+    return motion::grids_text(all->grids);
+}
+
+ExitCode propose_take(const TrainTakeArguments& arguments) {
+    const Path page = page_beside(arguments.propose);
+    if (page == arguments.propose) {
+        complain("--propose writes a table, and a page beside it: call it X.tsv");
+        return kExitUsage;
+    }
+    std::vector<Path> inputs = arguments.clips;
+    inputs.push_back(arguments.music);
+    for (const Path& output : {arguments.propose, page}) {
+        if (auto checked = check_output(output, inputs); !checked) {
+            return fail(std::move(checked.error()));
+        }
+    }
+    const auto all = propose_all(arguments);
+    return all ? exit_code_of(write_proposal(arguments, *all)) : fail(all.error());
 }
 
 }  // namespace raks::apps

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/take_proposal.hpp"
@@ -104,21 +105,32 @@ DanceInfo info_of(const motion::CellTrainingReport& report) {
     return info;
 }
 
+// The beats of a person's table, else those of the song.
+Expected<std::vector<motion::TakeBeat>> beats_of(const TrainTakeArguments& arguments) {
+    if (!arguments.counts.empty()) {
+        return motion::load_take_beats(arguments.counts);
+    }
+    const auto table = beats_by_song(arguments);
+    return table ? motion::parse_take_beats(*table, arguments.music.string()) : fail(table.error());
+}
+
 }  // namespace
 
 ExitCode train_take(const TrainTakeArguments& arguments) {
     if (!arguments.propose.empty()) {
         return propose_take(arguments);
     }
-    if (arguments.counts.empty() || arguments.output.empty()) {
-        complain("give --counts T.tsv and -o NAME, or --propose X.tsv for beats to begin with");
+    if ((arguments.counts.empty() && arguments.music.empty()) || arguments.output.empty()) {
+        complain(
+            "give --counts T.tsv, or --music SONG, and -o NAME; or --propose X.tsv for beats to "
+            "begin with");
         return kExitUsage;
     }
     const auto destination = destination_of(arguments.output, "");
     if (!destination) {
         return fail(destination.error());
     }
-    const auto beats = motion::load_take_beats(arguments.counts);
+    const auto beats = beats_of(arguments);
     if (!beats) {
         return fail(beats.error());
     }

@@ -96,14 +96,19 @@ bool read_marker_set_file(std::string_view text);      ///< likewise, as those t
 bool read_clocks_file(std::string_view text);          ///< of cameras
 bool read_marker_labels(std::string_view text);        ///< of pictures
 bool read_detections(std::string_view text);           ///< spots in pictures
-bool read_angles_file(std::string_view text);          ///< of a body
-bool read_tracks_file(std::string_view text);          ///< of markers; and as TRC
-bool read_flags_file(std::string_view text);           ///< of two markers over ten frames
-bool read_moves_file(std::string_view text);           ///< `moved.tsv`; and writes it again
-bool read_edits_file(std::string_view text);           ///< of tracks
-bool read_model_file(std::string_view text);           ///< glTF and VRM; and unpacks its pictures
-bool read_tds_file(std::string_view bytes);            ///< 3DS; the same
-bool read_packed_picture(std::string_view bytes);      ///< PNG, JPEG or WebP
+bool read_keypoint_file(std::string_view text);    ///< joints in pictures; and writes them again
+bool read_openpose_file(std::string_view text);    ///< the same of two pictures of OpenPose
+bool read_keypoint_table(std::string_view text);   ///< and of another program's table
+bool read_point_name_file(std::string_view text);  ///< what a table's names mean
+bool read_pose_network(std::string_view bytes);    ///< as ONNX
+bool read_angles_file(std::string_view text);      ///< of a body
+bool read_tracks_file(std::string_view text);      ///< of markers; and as TRC
+bool read_flags_file(std::string_view text);       ///< of two markers over ten frames
+bool read_moves_file(std::string_view text);       ///< `moved.tsv`; and writes it again
+bool read_edits_file(std::string_view text);       ///< of tracks
+bool read_model_file(std::string_view text);       ///< glTF and VRM; and unpacks its pictures
+bool read_tds_file(std::string_view bytes);        ///< 3DS; the same
+bool read_packed_picture(std::string_view bytes);  ///< PNG, JPEG or WebP
 bool read_plain_picture_file(std::string_view bytes);  ///< BMP or TGA
 bool read_foreign_text(std::string_view bytes);        ///< FBX, Collada, OBJ, before assimp reads
 

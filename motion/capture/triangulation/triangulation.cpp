@@ -50,7 +50,7 @@ std::optional<NormalEquations> equations_at(const Rig& rig,
         }
         const double scale = focal_length(camera.lens) / sigma;
         const glm::dvec2 miss = (views[i].direction - glm::dvec2(at.x / at.z, at.y / at.z)) * scale;
-        const double weight = 1.0 / (1.0 + glm::dot(miss, miss) / (kCauchy * kCauchy));
+        const double weight = views[i].weight / (1.0 + glm::dot(miss, miss) / (kCauchy * kCauchy));
         const DirectionJacobian j = jacobian_of(camera, at);
         const glm::dvec3 x = j.x * scale;
         const glm::dvec3 y = j.y * scale;

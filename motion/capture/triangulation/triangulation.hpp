@@ -21,7 +21,7 @@ struct PointView {
     /// How far the point had moved when the picture was taken, against the moment that is asked
     /// for: velocity times the difference of the times; metres.
     glm::dvec3 shift{};
-    double weight = 1.0;  ///< of its equations in the linear solution; >= 0
+    double weight = 1.0;  ///< of its equations; >= 0; 1: it is off by sigma
 };
 
 /// Where a point is.

@@ -1,0 +1,29 @@
+// Motion clocks: the clocks of a capture's cameras from the joints that they saw.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/raks_capture/capture_plan.hpp"
+#include "base/expected.hpp"
+#include "motion/capture/markers/observations.hpp"
+
+namespace raks::apps {
+
+/// Whether keypoints of every camera are there to tell clocks from.
+[[nodiscard]] bool has_keypoints(const CapturePlan& plan);
+
+/// The clocks of all cameras by motion, where nothing, or too little, was heard: how the joints go
+/// up and down tells them roughly; then the cameras are placed by the dancer, and the clocks moved
+/// until epipolar lines are met. `heard`: clocks that sound has told; the others follow their first
+/// one. `within`: as raks capture sync --within. Errors: those of rough_clocks, calibrate_by_dancer
+/// and sync_by_motion.
+[[nodiscard]] Expected<std::vector<capture::Clock>> clocks_by_motion(
+    const CapturePlan& plan, const std::vector<capture::Clock>& heard, double within);
+
+/// Checks clocks that were heard by what moves: a line for each that is off by more than 25 ms, and
+/// one that tells how far they are apart. Nothing where motion cannot tell.
+[[nodiscard]] std::vector<std::string> check_by_motion(const CapturePlan& plan,
+                                                       const std::vector<capture::Clock>& heard);
+
+}  // namespace raks::apps

@@ -1,0 +1,205 @@
+#include "motion/capture/markerless/keypoint_tracks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <optional>
+
+#include "motion/capture/markerless/keypoint_markers.hpp"
+#include "motion/capture/triangulation/triangulation.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace raks::capture {
+namespace {
+
+constexpr double kLeastVisibility = 0.3;   // a less sure view does not count
+constexpr double kMostResidual = 4.0;      // usual errors
+constexpr double kLongestUnflagged = 0.2;  // seconds
+constexpr double kLongestContradiction = 0.1;
+
+// What became of one point at one frame.
+enum class Outcome : std::uint8_t { placed, unseen, contradicts };
+
+struct PlacedPoint {
+    Outcome outcome = Outcome::unseen;
+    MarkerPlace place;
+};
+
+PlacedPoint place_point(const Rig& rig,
+                        const KeypointTake& take,
+                        std::size_t frame,
+                        BodyPoint point,
+                        const std::vector<double>& errors) {
+    std::vector<PointView> views;
+    double error = 0.0;
+    for (std::size_t camera = 0; camera < take.cameras; ++camera) {
+        const Keypoint& seen = take.point(frame, camera, point);
+        if (seen.visibility >= kLeastVisibility && errors[camera] > 0.0) {
+            views.push_back(
+                {camera, direction_of(rig.cameras[camera].lens, seen.pixel), {}, seen.visibility});
+            error += errors[camera];
+        }
+    }
+    if (views.size() < 2) {
+        return {};
+    }
+    error /= static_cast<double>(views.size());
+    const auto placed = triangulate(rig, views, error);
+    if (!placed || placed->residual > kMostResidual * error) {
+        return {Outcome::contradicts, {}};
+    }
+    MarkerPlace place;
+    place.place = placed->place;
+    place.deviation = placed->deviation();
+    place.views = static_cast<std::uint8_t>(placed->views.size());
+    place.source = PlaceSource::seen;
+    return {Outcome::placed, place};
+}
+
+// The middle of the trunk's joints at a frame; none: fewer than three are placed.
+std::optional<glm::dvec3> trunk_at(const Tracks& tracks, std::size_t frame) {
+    constexpr std::array<BodyPoint, 4> kTrunk = {BodyPoint::left_shoulder,
+                                                 BodyPoint::right_shoulder,
+                                                 BodyPoint::left_hip,
+                                                 BodyPoint::right_hip};
+    const auto points = followed_points();
+    glm::dvec3 sum{};
+    double count = 0.0;
+    for (std::size_t marker = 0; marker < points.size(); ++marker) {
+        const MarkerPlace& place = tracks.at(frame, marker);
+        const bool is_of_trunk =
+            std::find(kTrunk.begin(), kTrunk.end(), points[marker]) != kTrunk.end();
+        if (is_of_trunk && place.source != PlaceSource::lost) {
+            sum += place.place;
+            count += 1.0;
+        }
+    }
+    return count >= 3.0 ? std::optional(sum / count) : std::nullopt;
+}
+
+// Takes out the frames in which the body is where the dancer cannot have got to.
+void drop_jumps(Tracks& tracks, std::vector<Outcome>& outcomes) {
+    constexpr double kTrembling = 0.35;   // metres that a placed trunk may be off
+    constexpr double kFastest = 4.0;      // m/s of a dancer's trunk
+    constexpr double kFarthest = 1.0;     // metres that are allowed for at most
+    constexpr double kLongestAway = 3.0;  // seconds until another place is believed
+    std::optional<glm::dvec3> last;
+    std::size_t when = 0;
+    for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
+        const auto trunk = trunk_at(tracks, frame);
+        if (!trunk) {
+            continue;
+        }
+        const double seconds = static_cast<double>(frame - when) / tracks.frames_per_second;
+        const double allowed = std::min(kFarthest, kTrembling + kFastest * seconds);
+        if (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway) {
+            last = trunk;
+            when = frame;
+            continue;
+        }
+        for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+            tracks.at(frame, marker) = {};
+            outcomes[frame * tracks.markers.size() + marker] = Outcome::contradicts;
+        }
+    }
+}
+
+void flag_stretches(Doubt doubt,
+                    double least_seconds,
+                    const std::function<bool(std::size_t, std::size_t)>& is_so,
+                    Tracks& tracks) {
+    for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+        std::size_t first = 0;
+        for (std::size_t frame = 0; frame <= tracks.frame_count; ++frame) {
+            if (frame < tracks.frame_count && is_so(frame, marker)) {
+                continue;
+            }
+            const double seconds = static_cast<double>(frame - first) / tracks.frames_per_second;
+            if (frame > first && seconds >= least_seconds) {
+                tracks.flags.push_back({doubt, marker, first, frame - 1});
+            }
+            first = frame + 1;
+        }
+    }
+}
+
+}  // namespace
+
+Tracks keypoint_tracks(const Rig& rig,
+                       const KeypointTake& take,
+                       const std::vector<double>& errors) {
+    Tracks tracks;
+    const auto points = followed_points();
+    for (const BodyPoint point : points) {
+        tracks.markers.emplace_back(name_of(point));
+    }
+    tracks.frames_per_second = take.frames_per_second;
+    tracks.first_time = take.first_time;
+    tracks.frame_count = take.frame_count;
+    std::vector<Outcome> outcomes;
+    for (std::size_t frame = 0; frame < take.frame_count; ++frame) {
+        for (const BodyPoint point : points) {
+            const PlacedPoint placed = place_point(rig, take, frame, point, errors);
+            tracks.places.push_back(placed.place);
+            outcomes.push_back(placed.outcome);
+        }
+    }
+    drop_jumps(tracks, outcomes);
+    const auto outcome = [&](std::size_t frame, std::size_t marker) {
+        return outcomes[frame * points.size() + marker];
+    };
+    flag_stretches(
+        Doubt::residual,
+        kLongestContradiction,
+        [&](std::size_t frame, std::size_t marker) {
+            return outcome(frame, marker) == Outcome::contradicts;
+        },
+        tracks);
+    flag_stretches(
+        Doubt::lost,
+        kLongestUnflagged,
+        [&](std::size_t frame, std::size_t marker) {
+            return outcome(frame, marker) == Outcome::unseen;
+        },
+        tracks);
+    std::stable_sort(
+        tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {
+            return std::pair(one.first, one.marker) < std::pair(other.first, other.marker);
+        });
+    return tracks;
+}
+
+Tracks smoothed_tracks(const Tracks& tracks, double deviation) {
+    Tracks smoothed = tracks;
+    const double frames = deviation * tracks.frames_per_second;
+    const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3.0 * frames));
+    for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+        for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
+            if (tracks.at(frame, marker).source == PlaceSource::lost) {
+                continue;
+            }
+            glm::dvec3 sum{};
+            double weights = 0.0;
+            for (std::ptrdiff_t step = -reach; step <= reach; ++step) {
+                const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(frame) + step;
+                if (at < 0 || at >= static_cast<std::ptrdiff_t>(tracks.frame_count)) {
+                    continue;
+                }
+                const MarkerPlace& place = tracks.at(static_cast<std::size_t>(at), marker);
+                if (place.source != PlaceSource::lost) {
+                    const double away = static_cast<double>(step) / frames;
+                    const double weight = std::exp(-0.5 * away * away);
+                    sum += weight * place.place;
+                    weights += weight;
+                }
+            }
+            smoothed.at(frame, marker).place = sum / weights;
+        }
+    }
+    return smoothed;
+}
+
+}  // namespace raks::capture

@@ -1,0 +1,30 @@
+// Keypoint tracks: the places of a dancer's joints, from what all cameras saw of them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/expected.hpp"
+#include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markerless/keypoint_take.hpp"
+#include "motion/capture/markers/tracks.hpp"
+
+namespace raks::capture {
+
+/// Places of all followed points (keypoint_markers.hpp) at the frames of a take: the views of each
+/// weighted by their visibility. A view whose distance from the others is beyond what a network's
+/// error can be does not count; with two cameras the place is then lost. Where the whole body jumps
+/// farther than anybody can, as when a network takes another person for the dancer, all its places
+/// are lost until it is back, or 3 s later, when it is believed. Flags: lost for 0.2 s or more;
+/// residual, where views contradict one another for 0.1 s or more, or the body had jumped.
+/// `errors`: by camera, usual_error(). Threads: any. Real-time: no.
+[[nodiscard]] Tracks keypoint_tracks(const Rig& rig,
+                                     const KeypointTake& take,
+                                     const std::vector<double>& errors);
+
+/// The same tracks after a Gaussian in time of that standard deviation, seconds; places that are
+/// lost stay so.
+[[nodiscard]] Tracks smoothed_tracks(const Tracks& tracks, double deviation);
+
+}  // namespace raks::capture

@@ -1,0 +1,518 @@
+#include "motion/capture/markerless/motion_sync.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "motion/capture/markerless/dancer_limbs.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace raks::capture {
+namespace {
+
+constexpr double kLongestPictureStep =
+    0.12;                           // seconds between pictures that say what lies between them
+constexpr double kSureJoint = 0.5;  // visibility
+constexpr int kClockRounds = 12;    // of Gauss and Newton
+
+double mean_focal(const Lens& lens) { return 0.5 * (lens.fx + lens.fy); }
+
+MovingPoint moving(std::size_t kind, const glm::dvec2& from, const glm::dvec2& to, double seconds) {
+    return {kind, from, (to - from) / seconds};
+}
+
+// A pair of sights of one thing, and how its distance changes with the clocks of both cameras.
+struct Miss {
+    double distance = 0.0;  // signed, pixels
+    double by_from = 0.0;   // pixels a second of the first camera's clock
+    double by_to = 0.0;
+};
+
+// Distance of `to` from the line of `from`, in pixels of `to`.
+Miss miss_of(const glm::dmat3& epipolar,
+             double focal,
+             const MovingPoint& from,
+             const MovingPoint& to) {
+    const glm::dvec3 line = epipolar * glm::dvec3(from.direction, 1.0);
+    const double length = std::hypot(line.x, line.y);
+    const glm::dvec3 place(to.direction, 1.0);
+    Miss miss;
+    miss.distance = focal * glm::dot(line, place) / length;
+    miss.by_to = focal * (line.x * to.velocity.x + line.y * to.velocity.y) / length;
+    const glm::dvec3 change = epipolar * glm::dvec3(from.velocity, 0.0);
+    const double growth = (line.x * change.x + line.y * change.y) / (length * length);
+    miss.by_from = focal * glm::dot(change, place) / length - miss.distance * growth;
+    return miss;
+}
+
+class ClockSearch {
+ public:
+    ClockSearch(const Rig& rig,
+                const std::vector<MovingSights>& sights,
+                const std::vector<Clock>& start,
+                const MotionSyncOptions& options)
+        : rig_(rig), sights_(sights), options_(options) {
+        found_.clocks = start;
+        double first = std::numeric_limits<double>::lowest();
+        double last = std::numeric_limits<double>::max();
+        std::vector<double> firsts;
+        std::vector<double> lasts;
+        for (std::size_t i = 0; i < sights.size(); ++i) {
+            firsts.push_back(start[i].capture_time(sights[i].first_time()));
+            lasts.push_back(start[i].capture_time(sights[i].last_time()));
+        }
+        std::sort(firsts.begin(), firsts.end());
+        std::sort(lasts.begin(), lasts.end());
+        first = firsts[1];
+        last = lasts[lasts.size() - 2];
+        middle_ = 0.5 * (first + last);
+        for (std::size_t i = 0; i < options.moments; ++i) {
+            moments_.push_back(first + (last - first) * (static_cast<double>(i) + 0.5) /
+                                           static_cast<double>(options.moments));
+        }
+        for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+            for (std::size_t j = 0; j < rig.cameras.size(); ++j) {
+                lines_.push_back(i == j ? glm::dmat3(0.0)
+                                        : epipolar_matrix(rig.cameras[i], rig.cameras[j]));
+            }
+        }
+    }
+
+    Expected<MotionSync> run() {
+        try_shifts();
+        for (int round = 0; round < kClockRounds; ++round) {
+            if (!step()) {
+                return fail(
+                    "nothing moves that two cameras see at once, so their clocks cannot be "
+                    "told from it");
+            }
+        }
+        return found_;
+    }
+
+ private:
+    [[nodiscard]] std::vector<MovingPoint> seen(std::size_t camera, double capture_time) const {
+        return sights_[camera].at(found_.clocks[camera].camera_time(capture_time));
+    }
+
+    [[nodiscard]] Miss miss(std::size_t i,
+                            std::size_t j,
+                            const MovingPoint& a,
+                            const MovingPoint& b) const {
+        return miss_of(lines_[i * rig_.cameras.size() + j], mean_focal(rig_.cameras[j].lens), a, b);
+    }
+
+    // The sight in `of` that lies nearest to the line of `point`, of its kind.
+    template <typename Use>
+    void for_pairs(const std::vector<MovingPoint>& from,
+                   const std::vector<MovingPoint>& to,
+                   std::size_t i,
+                   std::size_t j,
+                   const Use& use) const {
+        for (const MovingPoint& point : from) {
+            std::optional<Miss> nearest;
+            for (const MovingPoint& other : to) {
+                if (other.kind == point.kind) {
+                    const Miss found = miss(i, j, point, other);
+                    if (!nearest || std::abs(found.distance) < std::abs(nearest->distance)) {
+                        nearest = found;
+                    }
+                }
+            }
+            if (nearest) {
+                use(*nearest);
+            }
+        }
+    }
+
+    // Mean of d^2 / (d^2 + error^2) of one camera against all others, shifted by so much.
+    [[nodiscard]] double cost_of(std::size_t camera, double shift, std::size_t every) const {
+        double sum = 0.0;
+        double count = 0.0;
+        for (std::size_t m = 0; m < moments_.size(); m += every) {
+            const auto shifted =
+                sights_[camera].at(found_.clocks[camera].camera_time(moments_[m]) - shift);
+            for (std::size_t other = 0; other < sights_.size(); ++other) {
+                if (other == camera || shifted.empty()) {
+                    continue;
+                }
+                for_pairs(seen(other, moments_[m]), shifted, other, camera, [&](const Miss& miss) {
+                    const double square = miss.distance * miss.distance;
+                    sum += square / (square + options_.error * options_.error);
+                    count += 1.0;
+                });
+            }
+        }
+        return count > 0.0 ? sum / count : 1.0;
+    }
+
+    // Each camera but the first at all shifts within reach: from there least squares find the rest.
+    void try_shifts() {
+        constexpr double kShiftStep = 0.01;  // seconds
+        constexpr std::size_t kTriedMoments = 200;
+        const std::size_t every = std::max<std::size_t>(1, moments_.size() / kTriedMoments);
+        const int steps = static_cast<int>(std::lround(options_.reach / kShiftStep));
+        for (int round = 0; round < (sights_.size() > 2 ? 2 : 1); ++round) {
+            for (std::size_t camera = 1; camera < sights_.size(); ++camera) {
+                double best = 0.0;
+                double least = std::numeric_limits<double>::max();
+                for (int step = -steps; step <= steps; ++step) {
+                    const double shift = kShiftStep * step;
+                    const double cost = cost_of(camera, shift, every);
+                    if (cost < least) {
+                        least = cost;
+                        best = shift;
+                    }
+                }
+                found_.clocks[camera].offset += best;
+            }
+        }
+    }
+
+    // One of Gauss' and Newton's steps over offsets (at the middle of the take) and drifts of all
+    // cameras but the first. False: nothing to see.
+    bool step() {
+        const auto size = static_cast<Eigen::Index>(2 * (sights_.size() - 1));
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+        Eigen::VectorXd vector = Eigen::VectorXd::Zero(size);
+        std::vector<double> distances;
+        double weighted = 0.0;
+        double weights = 0.0;
+        for (const double moment : moments_) {
+            std::vector<std::vector<MovingPoint>> all;
+            for (std::size_t i = 0; i < sights_.size(); ++i) {
+                all.push_back(seen(i, moment));
+            }
+            for (std::size_t i = 0; i < sights_.size(); ++i) {
+                for (std::size_t j = 0; j < sights_.size(); ++j) {
+                    if (i == j) {
+                        continue;
+                    }
+                    for_pairs(all[i], all[j], i, j, [&](const Miss& miss) {
+                        const double off = miss.distance / options_.error;
+                        const double weight = 1.0 / ((1.0 + off * off) * (1.0 + off * off));
+                        add(i, j, moment - middle_, miss, weight, matrix, vector);
+                        distances.push_back(std::abs(miss.distance));
+                        weighted += weight * miss.distance * miss.distance;
+                        weights += weight;
+                    });
+                }
+            }
+        }
+        if (distances.empty()) {
+            return false;
+        }
+        hold_drifts(matrix);
+        const Eigen::LDLT<Eigen::MatrixXd> solver(matrix);
+        const Eigen::VectorXd change = -solver.solve(vector);
+        if (!change.allFinite()) {
+            return false;
+        }
+        const Eigen::MatrixXd spread = solver.solve(Eigen::MatrixXd::Identity(size, size));
+        found_.deviation.assign(sights_.size(), 0.0);
+        for (std::size_t i = 1; i < sights_.size(); ++i) {
+            const auto at = static_cast<Eigen::Index>(2 * (i - 1));
+            move(i, std::clamp(change(at), -options_.reach, options_.reach), change(at + 1));
+            found_.deviation[i] = std::sqrt(std::max(0.0, spread(at, at) * weighted / weights));
+        }
+        const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+        std::nth_element(distances.begin(), middle, distances.end());
+        found_.distance = *middle;
+        found_.points = distances.size();
+        return true;
+    }
+
+    // A clock that is later by x shows what happened x before: sights change by - velocity x.
+    void add(std::size_t i,
+             std::size_t j,
+             double time,
+             const Miss& miss,
+             double weight,
+             Eigen::MatrixXd& matrix,
+             Eigen::VectorXd& vector) const {
+        std::array<std::pair<Eigen::Index, double>, 4> terms{};
+        std::size_t count = 0;
+        for (const auto& [camera, slope] :
+             {std::pair(i, -miss.by_from), std::pair(j, -miss.by_to)}) {
+            if (camera > 0) {
+                const auto at = static_cast<Eigen::Index>(2 * (camera - 1));
+                terms[count++] = {at, slope};
+                terms[count++] = {at + 1, slope * time};
+            }
+        }
+        for (std::size_t a = 0; a < count; ++a) {
+            vector(terms[a].first) += weight * terms[a].second * miss.distance;
+            for (std::size_t b = 0; b < count; ++b) {
+                matrix(terms[a].first, terms[b].first) +=
+                    weight * terms[a].second * terms[b].second;
+            }
+        }
+    }
+
+    // Clocks of phones drift by some 30 parts in a million: of a short take their own does not tell
+    // more than that.
+    void hold_drifts(Eigen::MatrixXd& matrix) const {
+        constexpr double kUsualDrift = 30e-6;
+        const double error = options_.error * options_.error;
+        for (Eigen::Index at = 1; at < matrix.rows(); at += 2) {
+            matrix(at, at) += options_.fits_drift ? error / (kUsualDrift * kUsualDrift) : 1e30;
+        }
+    }
+
+    void move(std::size_t camera, double shift, double drift) {
+        Clock& clock = found_.clocks[camera];
+        // Drift turns about the middle of the take: there the clock moves by the shift alone.
+        const double camera_middle = clock.camera_time(middle_);
+        clock.drift_ppm += 1e6 * drift;
+        clock.offset += shift - drift * camera_middle;
+    }
+
+    const Rig& rig_;
+    const std::vector<MovingSights>& sights_;
+    const MotionSyncOptions& options_;
+    std::vector<double> moments_;  // capture times
+    std::vector<glm::dmat3> lines_;
+    double middle_ = 0.0;
+    MotionSync found_;
+};
+
+// --- without a rig ---------------------------------------------------------------------------
+
+constexpr double kRoughRate = 30.0;  // samples a second
+
+// Upward speeds of the joints of a film at kRoughRate, in usual speeds of each joint; 0: not known.
+struct UpwardSpeeds {
+    std::array<std::vector<double>, kMainPoints.size()> joints;
+    double first = 0.0;  // camera time of the first; seconds
+    std::size_t count = 0;
+};
+
+UpwardSpeeds upward_speeds(const KeypointFilm& film) {
+    UpwardSpeeds speeds;
+    speeds.first = film.pictures.front().time;
+    const double seconds = film.pictures.back().time - speeds.first;
+    speeds.count = static_cast<std::size_t>(seconds * kRoughRate);
+    for (auto& joint : speeds.joints) {
+        joint.assign(speeds.count, 0.0);
+    }
+    std::size_t picture = 0;
+    for (std::size_t i = 0; i < speeds.count; ++i) {
+        const double time = speeds.first + (static_cast<double>(i) + 0.5) / kRoughRate;
+        while (picture + 2 < film.pictures.size() && film.pictures[picture + 1].time <= time) {
+            ++picture;
+        }
+        // Over three pictures: the errors of a network tremble.
+        const std::size_t from = picture > 0 ? picture - 1 : 0;
+        const std::size_t to = std::min(picture + 2, film.pictures.size() - 1);
+        const double step = film.pictures[to].time - film.pictures[from].time;
+        for (std::size_t joint = 0; joint < kMainPoints.size(); ++joint) {
+            const Keypoint& before = film.pictures[from][kMainPoints[joint]];
+            const Keypoint& after = film.pictures[to][kMainPoints[joint]];
+            if (before.visibility >= kSureJoint && after.visibility >= kSureJoint && step > 0.0 &&
+                step < 4.0 * kLongestPictureStep) {
+                speeds.joints[joint][i] = (before.pixel.y - after.pixel.y) / step;
+            }
+        }
+    }
+    for (auto& joint : speeds.joints) {
+        double squares = 1e-12;
+        for (const double speed : joint) {
+            squares += speed * speed;
+        }
+        const double usual =
+            std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, joint.size())));
+        for (double& speed : joint) {
+            speed = std::clamp(speed / usual, -3.0, 3.0);
+        }
+    }
+    return speeds;
+}
+
+// Correlation of two films when `other` is `lag` samples later; [-1, 1].
+double correlation(const UpwardSpeeds& one, const UpwardSpeeds& other, std::ptrdiff_t lag) {
+    double product = 0.0;
+    double squares_one = 1e-9;
+    double squares_other = 1e-9;
+    const auto count = static_cast<std::ptrdiff_t>(one.count);
+    for (std::size_t joint = 0; joint < kMainPoints.size(); ++joint) {
+        for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, lag);
+             i < std::min(count, static_cast<std::ptrdiff_t>(other.count) + lag);
+             ++i) {
+            const double a = one.joints[joint][static_cast<std::size_t>(i)];
+            const double b = other.joints[joint][static_cast<std::size_t>(i - lag)];
+            product += a * b;
+            squares_one += a * a;
+            squares_other += b * b;
+        }
+    }
+    return product / std::sqrt(squares_one * squares_other);
+}
+
+// The clock of `other` against `one`; confidence 0: none.
+Clock rough_clock(const UpwardSpeeds& one,
+                  const UpwardSpeeds& other,
+                  const std::string& camera,
+                  double within) {
+    constexpr double kLeastShared = 4.0;  // seconds
+    constexpr double kApart = 0.1;        // seconds: a shift that far off is another one
+    const auto least = static_cast<std::ptrdiff_t>(kLeastShared * kRoughRate);
+    const auto most = static_cast<std::ptrdiff_t>(std::min(within, 86400.0) * kRoughRate);
+    const std::ptrdiff_t from = std::max(-most, least - static_cast<std::ptrdiff_t>(other.count));
+    const std::ptrdiff_t to = std::min(most, static_cast<std::ptrdiff_t>(one.count) - least);
+    std::vector<double> all;
+    for (std::ptrdiff_t lag = from; lag <= to; ++lag) {
+        all.push_back(correlation(one, other, lag));
+    }
+    Clock clock{camera, 0.0, 0.0, 0.0};
+    if (all.size() < 3) {
+        return clock;
+    }
+    const auto best = std::max_element(all.begin(), all.end());
+    const std::ptrdiff_t at = best - all.begin();
+    double second = 0.0;
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(all.size()); ++i) {
+        if (static_cast<double>(std::abs(i - at)) > kApart * kRoughRate) {
+            second = std::max(second, all[static_cast<std::size_t>(i)]);
+        }
+    }
+    double between = 0.0;
+    if (at > 0 && at + 1 < static_cast<std::ptrdiff_t>(all.size())) {
+        const double before = *(best - 1);
+        const double after = *(best + 1);
+        const double bend = before - 2.0 * *best + after;
+        between = bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
+    }
+    const double lag = static_cast<double>(from + at) + between;
+    clock.offset = one.first + lag / kRoughRate - other.first;
+    clock.confidence = std::clamp(*best - 0.7 * second, 0.0, 1.0);
+    return clock;
+}
+
+}  // namespace
+
+MovingSights::MovingSights(const KeypointFilm& film, const Lens& lens) {
+    for (std::size_t i = 0; i + 1 < film.pictures.size(); ++i) {
+        const KeypointPicture& now = film.pictures[i];
+        const KeypointPicture& next = film.pictures[i + 1];
+        Step step{now.time, next.time - now.time, {}};
+        for (const BodyPoint point : kMainPoints) {
+            if (now[point].visibility >= kSureJoint && next[point].visibility >= kSureJoint &&
+                step.seconds < kLongestPictureStep) {
+                step.points.push_back(moving(static_cast<std::size_t>(point),
+                                             direction_of(lens, now[point].pixel),
+                                             direction_of(lens, next[point].pixel),
+                                             step.seconds));
+            }
+        }
+        steps_.push_back(std::move(step));
+    }
+    if (!film.pictures.empty()) {
+        first_ = film.pictures.front().time;
+        last_ = film.pictures.back().time;
+    }
+}
+
+MovingSights::MovingSights(const SeenFilm& film, const Lens& lens, double reach) {
+    const auto nearest = [reach](const Detection& spot, const SeenPicture& picture) {
+        std::optional<std::size_t> found;
+        double least = reach;
+        for (std::size_t i = 0; i < picture.detections.size(); ++i) {
+            const double away = glm::distance(spot.pixel, picture.detections[i].pixel);
+            if (picture.detections[i].colour == spot.colour && away < least) {
+                least = away;
+                found = i;
+            }
+        }
+        return found;
+    };
+    for (std::size_t i = 0; i + 1 < film.pictures.size(); ++i) {
+        const SeenPicture& now = film.pictures[i];
+        const SeenPicture& next = film.pictures[i + 1];
+        Step step{now.time, next.time - now.time, {}};
+        for (std::size_t spot = 0; spot < now.detections.size(); ++spot) {
+            const auto there = nearest(now.detections[spot], next);
+            const bool is_same = there && step.seconds < kLongestPictureStep &&
+                                 nearest(next.detections[*there], now) == spot;
+            if (is_same) {
+                step.points.push_back(moving(now.detections[spot].colour,
+                                             direction_of(lens, now.detections[spot].pixel),
+                                             direction_of(lens, next.detections[*there].pixel),
+                                             step.seconds));
+            }
+        }
+        steps_.push_back(std::move(step));
+    }
+    if (!film.pictures.empty()) {
+        first_ = film.pictures.front().time;
+        last_ = film.pictures.back().time;
+    }
+}
+
+std::vector<MovingPoint> MovingSights::at(double camera_time) const {
+    const auto after = std::upper_bound(
+        steps_.begin(), steps_.end(), camera_time, [](double time, const Step& step) {
+            return time < step.time;
+        });
+    if (after == steps_.begin()) {
+        return {};
+    }
+    const Step& step = *(after - 1);
+    const double since = camera_time - step.time;
+    if (since > step.seconds) {
+        return {};
+    }
+    std::vector<MovingPoint> points = step.points;
+    for (MovingPoint& point : points) {
+        point.direction += since * point.velocity;
+    }
+    return points;
+}
+
+Expected<MotionSync> sync_by_motion(const Rig& rig,
+                                    const std::vector<MovingSights>& sights,
+                                    const std::vector<Clock>& start,
+                                    const MotionSyncOptions& options) {
+    if (sights.size() < 2 || sights.size() != rig.cameras.size() || start.size() != sights.size()) {
+        return fail("clocks are told from two cameras or more, each with a place and a clock");
+    }
+    return ClockSearch(rig, sights, start, options).run();
+}
+
+Expected<std::vector<Clock>> rough_clocks(const std::vector<KeypointFilm>& films, double within) {
+    constexpr double kShortest = 5.0;  // seconds
+    constexpr double kLeastConfidence = 0.05;
+    std::vector<UpwardSpeeds> speeds;
+    for (const KeypointFilm& film : films) {
+        if (film.pictures.size() < 2 ||
+            film.pictures.back().time - film.pictures.front().time < kShortest) {
+            return fail(
+                fmt::format("{}: its film is too short to tell its clock from what moves in "
+                            "it: {:.0f} s are needed",
+                            film.camera,
+                            kShortest));
+        }
+        speeds.push_back(upward_speeds(film));
+    }
+    std::vector<Clock> clocks;
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        clocks.push_back(i == 0 ? Clock{films[0].camera, 0.0, 0.0, 1.0}
+                                : rough_clock(speeds[0], speeds[i], films[i].camera, within));
+        if (clocks.back().confidence < kLeastConfidence) {
+            return fail(fmt::format(
+                "{}: nothing in it moves as in {}; are they films of one dance? Else set its clock "
+                "by hand (raks capture sync --offsets)",
+                films[i].camera,
+                films[0].camera));
+        }
+    }
+    return clocks;
+}
+
+}  // namespace raks::capture
