@@ -101,11 +101,11 @@ struct Stood {
 std::vector<Stood> places_stood(const Tracks& tracks,
                                 const std::vector<TrackedKind>& kinds,
                                 const glm::dmat3& rotation) {
-    constexpr double kSlow = 0.12;   // metres a second
-    constexpr double kReach = 0.05;  // seconds to both sides, over which speed is taken
-    constexpr double kSpot = 0.1;    // metres
+    constexpr double kSlow = 0.12;        // metres a second
+    constexpr double kSpeedReach = 0.05;  // seconds to both sides, over which speed is taken
+    constexpr double kSpot = 0.1;         // metres
     const auto reach =
-        static_cast<std::size_t>(std::max(1.0, std::round(kReach * tracks.frames_per_second)));
+        static_cast<std::size_t>(std::max(1.0, std::round(kSpeedReach * tracks.frames_per_second)));
     std::map<std::tuple<std::size_t, int, int>, std::vector<glm::dvec3>> spots;
     for (std::size_t i = 0; i < tracks.markers.size(); ++i) {
         if (!kinds[i].is_foot) {
