@@ -170,7 +170,7 @@ Eigen::Vector3d floor_under(const std::vector<Stood>& stood, const glm::dvec3& m
 }
 
 // The rotation after which `up` is y, and x about where it was.
-glm::dmat3 upright(const glm::dvec3& up) {
+glm::dmat3 rotation_to_upright(const glm::dvec3& up) {
     const glm::dvec3 aside =
         std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec3 x = glm::normalize(aside - glm::dot(aside, up) * up);
@@ -187,13 +187,14 @@ std::optional<Levelling> level_by_feet(const Tracks& tracks,
     if (!standing) {
         return std::nullopt;
     }
-    glm::dmat3 rotation = upright(standing->up);
+    glm::dmat3 rotation = rotation_to_upright(standing->up);
     const glm::dvec3 feet = rotation * standing->feet;
     const std::vector<Stood> stood = places_stood(tracks, kinds, rotation);
     double floor_height = feet.y;
     if (!stood.empty()) {
         const Eigen::Vector3d floor = floor_under(stood, feet);
-        const glm::dmat3 tilt = upright(glm::normalize(glm::dvec3(-floor[1], 1.0, -floor[2])));
+        const glm::dmat3 tilt =
+            rotation_to_upright(glm::normalize(glm::dvec3(-floor[1], 1.0, -floor[2])));
         floor_height = (tilt * glm::dvec3(feet.x, floor[0], feet.z)).y;
         rotation = tilt * rotation;
     }
