@@ -101,11 +101,11 @@ struct Stood {
 std::vector<Stood> places_stood(const Tracks& tracks,
                                 const std::vector<TrackedKind>& kinds,
                                 const glm::dmat3& rotation) {
-    constexpr double kSlow = 0.12;   // metres a second
-    constexpr double kReach = 0.05;  // seconds to both sides, over which speed is taken
-    constexpr double kSpot = 0.1;    // metres
+    constexpr double kSlow = 0.12;        // metres a second
+    constexpr double kStandReach = 0.05;  // seconds to both sides, over which speed is taken
+    constexpr double kSpot = 0.1;         // metres
     const auto reach =
-        static_cast<std::size_t>(std::max(1.0, std::round(kReach * tracks.frames_per_second)));
+        static_cast<std::size_t>(std::max(1.0, std::round(kStandReach * tracks.frames_per_second)));
     std::map<std::tuple<std::size_t, int, int>, std::vector<glm::dvec3>> spots;
     for (std::size_t i = 0; i < tracks.markers.size(); ++i) {
         if (!kinds[i].is_foot) {
@@ -141,7 +141,7 @@ std::vector<Stood> places_stood(const Tracks& tracks,
 // The floor y = a + b x + c z under the places stood, about `middle`; feet held in the air weigh
 // little, and slopes are small unless the places say otherwise.
 Eigen::Vector3d floor_under(const std::vector<Stood>& stood, const glm::dvec3& middle) {
-    constexpr int kRounds = 20;
+    constexpr int kFloorRounds = 20;
     constexpr double kNoise = 0.015;  // metres
     constexpr double kSlope = 0.05;   // 3 degrees
     std::vector<double> floors;
@@ -152,7 +152,7 @@ Eigen::Vector3d floor_under(const std::vector<Stood>& stood, const glm::dvec3& m
     const auto third = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 3);
     std::nth_element(floors.begin(), third, floors.end());
     Eigen::Vector3d floor(*third, 0.0, 0.0);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kFloorRounds; ++round) {
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         normal(1, 1) = normal(2, 2) = 1.0 / (kSlope * kSlope);
@@ -170,7 +170,7 @@ Eigen::Vector3d floor_under(const std::vector<Stood>& stood, const glm::dvec3& m
 }
 
 // The rotation after which `up` is y, and x about where it was.
-glm::dmat3 upright(const glm::dvec3& up) {
+glm::dmat3 rotation_to_upright(const glm::dvec3& up) {
     const glm::dvec3 aside =
         std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec3 x = glm::normalize(aside - glm::dot(aside, up) * up);
@@ -187,13 +187,14 @@ std::optional<Levelling> level_by_feet(const Tracks& tracks,
     if (!standing) {
         return std::nullopt;
     }
-    glm::dmat3 rotation = upright(standing->up);
+    glm::dmat3 rotation = rotation_to_upright(standing->up);
     const glm::dvec3 feet = rotation * standing->feet;
     const std::vector<Stood> stood = places_stood(tracks, kinds, rotation);
     double floor_height = feet.y;
     if (!stood.empty()) {
         const Eigen::Vector3d floor = floor_under(stood, feet);
-        const glm::dmat3 tilt = upright(glm::normalize(glm::dvec3(-floor[1], 1.0, -floor[2])));
+        const glm::dmat3 tilt =
+            rotation_to_upright(glm::normalize(glm::dvec3(-floor[1], 1.0, -floor[2])));
         floor_height = (tilt * glm::dvec3(feet.x, floor[0], feet.z)).y;
         rotation = tilt * rotation;
     }
