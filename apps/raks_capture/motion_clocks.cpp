@@ -42,7 +42,8 @@ Expected<capture::MotionSync> refined(const CapturePlan& plan,
         sights.emplace_back(films[i], placed->rig.cameras[i].lens);
     }
     capture::MotionSyncOptions options;
-    options.error = error;
+    // Twice what a joint is usually off: a tighter bound follows the trembling.
+    options.error = 2.0 * error;
     options.fits_drift = false;
     return capture::sync_by_motion(placed->rig, sights, start, options);
 }

@@ -26,6 +26,7 @@ class CaptureSteps : public ::testing::Test {
 
     void put(const std::string& name, int second) const {
         const fs::path file = plan_.file(name);
+        fs::create_directories(file.parent_path());
         ASSERT_TRUE(write_file(file, "x"));
         fs::last_write_time(file, start_ + std::chrono::seconds(second));
     }
@@ -53,6 +54,25 @@ TEST_F(CaptureSteps, come_in_the_order_in_which_each_reads_what_those_before_it_
         order += step.command + " ";
     }
     EXPECT_EQ(order, "calibrate sync track solve report ");
+}
+
+TEST_F(CaptureSteps, without_markers_begin_with_keypoints_and_need_no_board) {
+    plan_.is_markerless = true;
+    std::string order;
+    for (const CaptureStep& step : capture_steps(plan_)) {
+        order += step.command + (step.arguments.empty() ? "" : step.arguments.front()) + " ";
+    }
+    EXPECT_EQ(order, "keypoints sync calibrate--dancer track--method solve report ");
+    put("keypoints/left.csv", 1);
+    put("keypoints/right.csv", 1);
+    EXPECT_EQ(state("keypoints"), StepState::given);
+    EXPECT_EQ(state("sync"), StepState::missing);
+    put("clocks.toml", 2);
+    put("rig.toml", 3);
+    EXPECT_EQ(state("calibrate"), StepState::up_to_date);
+    put("keypoints/right.csv", 4);
+    EXPECT_EQ(state("calibrate"), StepState::outdated);
+    EXPECT_EQ(state("sync"), StepState::outdated);
 }
 
 TEST_F(CaptureSteps, are_to_be_done_where_their_output_is_missing_or_older_than_an_input) {

@@ -83,23 +83,26 @@ std::optional<glm::dvec3> trunk_at(const Tracks& tracks, std::size_t frame) {
 // Takes out the frames in which the body is where the dancer cannot have got to.
 void drop_jumps(Tracks& tracks, std::vector<Outcome>& outcomes) {
     constexpr double kTrembling = 0.35;   // metres that a placed trunk may be off
-    constexpr double kFastest = 4.0;      // m/s of a dancer's trunk
-    constexpr double kFarthest = 1.0;     // metres that are allowed for at most
+    constexpr double kFastest = 2.5;      // m/s of a dancer's trunk
+    constexpr double kFarthest = 0.75;    // metres that are allowed for at most
     constexpr double kLongestAway = 3.0;  // seconds until another place is believed
     std::optional<glm::dvec3> last;
     std::size_t when = 0;
+    bool is_away = false;
     for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
         const auto trunk = trunk_at(tracks, frame);
-        if (!trunk) {
+        if (!trunk && !is_away) {
             continue;
         }
         const double seconds = static_cast<double>(frame - when) / tracks.frames_per_second;
         const double allowed = std::min(kFarthest, kTrembling + kFastest * seconds);
-        if (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway) {
+        if (trunk && (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway)) {
             last = trunk;
             when = frame;
+            is_away = false;
             continue;
         }
+        is_away = true;
         for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
             tracks.at(frame, marker) = {};
             outcomes[frame * tracks.markers.size() + marker] = Outcome::contradicts;

@@ -73,9 +73,13 @@ class ClockSearch {
         first = firsts[1];
         last = lasts[lasts.size() - 2];
         middle_ = 0.5 * (first + last);
+        // Not in even steps, which would meet pictures of an even rate always at the same phase,
+        // where what lies between two pictures is off to the same side.
+        constexpr double kGoldenShare = 0.6180339887498949;
         for (std::size_t i = 0; i < options.moments; ++i) {
-            moments_.push_back(first + (last - first) * (static_cast<double>(i) + 0.5) /
-                                           static_cast<double>(options.moments));
+            const double at =
+                static_cast<double>(i) + std::fmod(kGoldenShare * static_cast<double>(i), 1.0);
+            moments_.push_back(first + (last - first) * at / static_cast<double>(options.moments));
         }
         for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
             for (std::size_t j = 0; j < rig.cameras.size(); ++j) {

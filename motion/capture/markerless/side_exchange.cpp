@@ -18,6 +18,8 @@ constexpr std::size_t kMostJointly = 6;  // cameras
 constexpr double kSureSide = 0.3;        // less sure joints say nothing
 constexpr double kMostMiss = 16.0;       // of a squared distance, in errors
 constexpr double kUsualStep = 2.0;       // of a joint from frame to frame, errors
+// Of a change from one frame to the next: single frames in which limbs cover one another are none.
+constexpr double kChangeCost = 4.0;
 constexpr double kExchangeCost = 1.0;    // of an exchanged frame
 
 constexpr std::array<BodyPoint, 5> kLeftArm = {BodyPoint::left_shoulder,
@@ -157,7 +159,7 @@ class SideSearch {
     [[nodiscard]] double step_cost(const std::vector<TwoWays>& steps, std::size_t changed) const {
         double cost = 0.0;
         for (std::size_t i = 0; i < cameras_; ++i) {
-            cost += (changed >> i & 1U) != 0 ? steps[i].crosswise : steps[i].alike;
+            cost += (changed >> i & 1U) != 0 ? steps[i].crosswise + kChangeCost : steps[i].alike;
         }
         return cost;
     }

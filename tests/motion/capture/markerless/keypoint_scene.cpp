@@ -92,7 +92,7 @@ class Network {
         const bool is_exchanged = index_ == 0 && is_within(errors_.exchanged);
         // Somebody else, who walks by.
         const glm::dvec3 away = index_ == 1 && is_within(errors_.stranger)
-                                    ? glm::dvec3(0.9, 0.0, 0.4 * (at - errors_.stranger->first))
+                                    ? glm::dvec3(0.3 * (at - errors_.stranger->first), 0.0, 0.9)
                                     : glm::dvec3();
         constexpr double kSlow = 0.9;  // of the last picture's error stays
         for (std::size_t i = 0; i < places.size(); ++i) {

@@ -28,11 +28,11 @@
 namespace raks::motion::vmd_test {
 namespace {
 
-using test::kVmdCenter;
-using test::kVmdLeftIndex1;
-using test::kVmdLeftLegIk;
-using test::kVmdLeftToeIk;
-using test::VmdMaker;
+using raks::test::kVmdCenter;
+using raks::test::kVmdLeftIndex1;
+using raks::test::kVmdLeftLegIk;
+using raks::test::kVmdLeftToeIk;
+using raks::test::VmdMaker;
 
 std::string name_of(MmdBone bone, MmdCode code = MmdCode::windows_932) {
     return mmd_bytes(mmd_name(bone), code).value();
