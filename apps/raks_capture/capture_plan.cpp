@@ -101,9 +101,13 @@ void read_cameras(const toml::table& root, CapturePlan& plan, TomlComplaints& co
 
 void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 2> kBodies = {"dance", "paper"};
+    constexpr std::string_view kFileEnd = ".toml";
     complaints.read(root, "height", {0.3, 3.0}, plan.height);
     if (const toml::node* const body = root.get("body")) {
-        plan.is_paper_body = complaints.word(*body, "body", kBodies) == 1;
+        plan.body = complaints.text(root, "body");
+        if (!plan.body.ends_with(kFileEnd)) {
+            plan.body = kBodies[complaints.word(*body, "body", kBodies)];
+        }
     }
     constexpr std::array<std::string_view, 2> kMethods = {"positions", "angles"};
     if (const toml::node* const method = root.get("method")) {
@@ -173,7 +177,7 @@ std::string capture_plan_text(const CapturePlan& plan) {
     if (plan.height > 0.0) {
         text += fmt::format("height = {}\n", plan.height);
     }
-    text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
+    text += fmt::format("body = {}\n", toml_quoted(plan.body));
     text += plan.is_by_angles ? "method = \"angles\"\n" : "";
     for (const auto& [key, path] :
          {std::pair("music", &plan.music), std::pair("markers", &plan.markers)}) {

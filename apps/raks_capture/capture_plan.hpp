@@ -27,7 +27,7 @@ struct PlannedCamera {
 ///     format = "raks-capture"
 ///     version = 1
 ///     height = 1.72                 # of the dancer, metres; left out: found from the markers
-///     body = "dance"                # or "paper": 22 degrees of freedom
+///     body = "dance"                # or "paper": 22 degrees of freedom; or a file of joints
 ///     method = "positions"          # or "angles": how markers are followed
 ///     music = "song.mp3"            # left out: none
 ///     markers = "markers.toml"      # left out: the shipped set
@@ -51,8 +51,9 @@ struct PlannedCamera {
 struct CapturePlan {
     std::filesystem::path folder;  ///< that capture.toml lies in
     double height = 0.0;           ///< metres; 0: not said
-    bool is_paper_body = false;    ///< body = "paper"
-    bool is_by_angles = false;     ///< method = "angles"
+    /// Which joints move: "dance", "paper", or a file, relative to the folder.
+    std::string body = "dance";
+    bool is_by_angles = false;  ///< method = "angles"
     std::filesystem::path music;
     std::filesystem::path markers;
     double frames_per_second = 60.0;

@@ -10,8 +10,8 @@ ExitCode correct(const CorrectArguments& arguments) {
     if (!plan) {
         return fail(plan.error());
     }
-    const auto given =
-        load_tracking(*plan, plan->file("labels.tsv"), capture::ChromaForm::normalised);
+    const auto given = load_tracking(
+        *plan, plan->file("labels.tsv"), capture::ChromaForm::normalised, method_of(*plan));
     if (!given) {
         return fail(given.error());
     }

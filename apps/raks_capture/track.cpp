@@ -34,9 +34,8 @@ Expected<void> write_tracks(const CapturePlan& plan,
         {"moved.tsv", capture::moves_text(followed.stages.moves)},
         {"tracks.trc", capture::trc_text(tracks, "tracks.trc")}};
     if (followed.angles) {
-        files.emplace_back(
-            "angles.csv",
-            capture::angles_text(*followed.angles, capture::BodyModel(given.angles->body)));
+        files.emplace_back("angles.csv",
+                           capture::angles_text(*followed.angles, given.angles->body));
     }
     if (!followed.angles) {
         // Those of an earlier method are of other tracks.
@@ -82,9 +81,8 @@ Expected<void> print_errors(const TrackingGiven& given,
                 ? fmt::format(", {:.1f} % of them flagged", 100.0 * errors->flagged_share())
                 : "");
     }
-    return followed.angles
-               ? print_angle_errors(followed, capture::BodyModel(given.angles->body), folder)
-               : Expected<void>{};
+    return followed.angles ? print_angle_errors(followed, given.angles->body, folder)
+                           : Expected<void>{};
 }
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -115,16 +113,23 @@ std::string summary_of(const capture::Tracks& tracks) {
 }
 
 // What arguments say of the method, over what capture.toml says.
-void set_method(const TrackArguments& arguments, const CapturePlan& plan, TrackingGiven& given) {
-    const bool is_by_angles =
-        arguments.method.empty() ? plan.is_by_angles : arguments.method == "angles";
-    if (!is_by_angles) {
-        given.angles.reset();
-        return;
+TrackMethod method_by(const TrackArguments& arguments, const CapturePlan& plan) {
+    if (arguments.method.empty()) {
+        return method_of(plan);
     }
-    capture::AngleTrackerOptions options;
-    const bool is_paper = arguments.body.empty() ? plan.is_paper_body : arguments.body == "paper";
-    options.body = is_paper ? capture::BodyKind::paper : capture::BodyKind::dance;
+    return arguments.method == "angles" ? TrackMethod::angles : TrackMethod::positions;
+}
+
+// What arguments say of following by angles.
+Expected<void> set_angles(const TrackArguments& arguments,
+                          const CapturePlan& plan,
+                          capture::AngleTrackerOptions& options) {
+    auto body = load_body(plan, arguments.body);
+    if (!body) {
+        return fail(std::move(body.error()));
+    }
+    options.body = std::move(*body);
+    options.fits_body = !arguments.is_body_kept;
     options.body_error = arguments.body_error;
     options.filter.likelihood = arguments.likelihood == "epipolar"
                                     ? capture::Likelihood::epipolar
@@ -138,13 +143,20 @@ void set_method(const TrackArguments& arguments, const CapturePlan& plan, Tracki
     options.filter.threads = arguments.threads > 0
                                  ? arguments.threads
                                  : static_cast<int>(std::thread::hardware_concurrency());
+    return {};
+}
+
+// What is to be expected of following a body by these markers and edits.
+void say_warnings(const TrackingGiven& given) {
     for (const capture::Edit& edit : given.edits) {
         if (edit.kind == capture::EditKind::swap || edit.kind == capture::EditKind::fill) {
             say("edits that swap or fill are for the method of positions; they are passed over");
             break;
         }
     }
-    given.angles = options;
+    if (const std::string doubt = colour_doubt(given.markers); !doubt.empty()) {
+        say(doubt);
+    }
 }
 
 // Follows the markers. A person who stops it keeps what is done.
@@ -173,7 +185,8 @@ ExitCode track(const TrackArguments& arguments) {
     auto given =
         load_tracking(*plan,
                       arguments.labels.empty() ? plan->file("labels.tsv") : arguments.labels,
-                      form_named(arguments.colour));
+                      form_named(arguments.colour),
+                      method_by(arguments, *plan));
     if (!given) {
         return stop_signal() ? ExitCode(exit_code_after_signals(kExitPartly))
                              : fail(std::move(given.error()));
@@ -182,7 +195,12 @@ ExitCode track(const TrackArguments& arguments) {
     given->options.acceleration = arguments.acceleration;
     given->options.smoothing = arguments.smoothing;
     given->options.check_order = !arguments.is_as_named;
-    set_method(arguments, *plan, *given);
+    if (given->angles) {
+        if (auto set = set_angles(arguments, *plan, *given->angles); !set) {
+            return fail(std::move(set.error()));
+        }
+        say_warnings(*given);
+    }
     const double cpu_before = cpu_seconds();
     const auto followed = follow(*given);
     if (!followed) {
@@ -199,6 +217,9 @@ ExitCode track(const TrackArguments& arguments) {
     say(summary_of(stages.smoothed));
     if (followed->angles) {
         say(cost_of(stages.smoothed, cpu));
+        for (const std::string& line : angle_lines(*followed, given->angles->body)) {
+            say(line);
+        }
     }
     for (const std::string& doubt : track_doubts(stages.smoothed, given->markers)) {
         say(doubt);

@@ -15,4 +15,8 @@ namespace raks::apps {
 [[nodiscard]] std::vector<std::string> track_doubts(const capture::Tracks& tracks,
                                                     const capture::MarkerSet& markers);
 
+/// What markers of one colour, or of two, do to a body that is followed by angles, in one line;
+/// empty: they have more.
+[[nodiscard]] std::string colour_doubt(const capture::MarkerSet& markers);
+
 }  // namespace raks::apps

@@ -21,21 +21,30 @@ struct TrackingGiven {
     std::vector<capture::MarkerLabel> labels;
     std::vector<capture::Edit> edits;
     capture::TrackerOptions options;  ///< by capture.toml; the order of the films is not checked
-    /// By capture.toml: the markers are followed by the angles of a body. None: each by itself.
+    /// The markers are followed by the angles of a body. None: each by itself.
     std::optional<capture::AngleTrackerOptions> angles;
 };
 
+/// How markers are followed.
+enum class TrackMethod { positions, angles };
+
+/// What capture.toml says of it.
+[[nodiscard]] TrackMethod method_of(const CapturePlan& plan) noexcept;
+
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be
-/// done. Errors: those of the files, and of seen_by_cameras.
+/// done. A body that is followed by angles needs no labels where the spots are there. Errors: those
+/// of the files, and of seen_by_cameras.
 [[nodiscard]] Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                                                     const std::filesystem::path& labels,
-                                                    capture::ChromaForm form);
+                                                    capture::ChromaForm form,
+                                                    TrackMethod method);
 
 /// What was followed.
 struct FollowedMarkers {
     capture::TrackerStages stages;
     std::optional<capture::AngleTrack> angles;  ///< where a body was followed
     capture::BodyShape shape;                   ///< likewise
+    capture::BodySize size;                     ///< likewise
 };
 
 /// Follows the markers with these edits instead of those that were read. Errors: as
