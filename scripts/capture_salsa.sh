@@ -3,7 +3,7 @@
 # solved and learnt; then salsa is judged and danced with these models and with the shipped ones.
 #   scripts/capture_salsa.sh LEAD_CLIPS TABLES OUTPUT_FOLDER [OPTIONS OF SIMULATE...]
 # LEAD_CLIPS holds 60_*.bvh; TABLES labels_salsa.tsv, salsa_counts.tsv and salsa_glitches.tsv. RAKS names
-# the program.
+# the program; METHOD, positions or angles, how markers are followed (positions).
 set -euo pipefail
 if [ $# -lt 3 ]; then
     sed -n '2,7s/^# *//p' "$0" >&2
@@ -11,6 +11,7 @@ if [ $# -lt 3 ]; then
 fi
 here=$(cd "$(dirname "$0")/.." && pwd)
 raks=${RAKS:-$here/build/release/bin/raks}
+method=${METHOD:-positions}
 clips=$1 tables=$2 output=$3
 shift 3
 mkdir -p "$output/clips"
@@ -23,7 +24,7 @@ for take in $takes; do
         rm -rf "$folder"
         mkdir -p "$output/takes"
         "$raks" capture simulate "$clips/$take.bvh" -o "$folder" --points --unique --fps 60 --scale 1.267 "$@"
-        "$raks" capture track "$folder" --truth "$folder/truth"
+        "$raks" capture track "$folder" --method "$method" --truth "$folder/truth"
         "$raks" capture solve "$folder"
         "$raks" capture compare "$folder/dance.bvh" "$folder/truth/dance.bvh"
         cp "$folder/dance.bvh" "$output/clips/$take.bvh"
@@ -33,7 +34,7 @@ done
 # A second home of the program's data, whose salsa is the captured one.
 mkdir -p "$output/data/models"
 cp -r "$here/config" "$output/data/"
-cp -r "$here/models/trained" "$output/data/models/"
+cp -r "$here/models/trained" "$here/models/pretrained" "$output/data/models/"
 for figure in basic cross_body_lead inplace_turn travelling_turn; do
     "$raks" train figure "$output/clips" --labels "$tables/labels_salsa.tsv" \
         --counts "$tables/salsa_counts.tsv" --faults "$tables/salsa_glitches.tsv" --figure "$figure" \

@@ -117,6 +117,7 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
                                          {.avatar = file,
                                           .labels = arguments.options.labels,
                                           .joints = std::move(*joints),
+                                          .arm_angle = arguments.arm_angle,
                                           .others = render::OtherNodes::moved});
     if (!clip) {
         return fail(std::move(clip.error()));

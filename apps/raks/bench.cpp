@@ -341,10 +341,11 @@ std::string to_text(const BenchReport& report) {
 }
 
 ExitCode bench(const BenchArguments& arguments) {
-    auto report = arguments.what == "analysis" ? bench_analysis(arguments.seconds)
-                  : arguments.what == "motion" ? bench_motion(arguments.seconds)
-                  : arguments.what == "render" ? bench_render()
-                  : arguments.what == "train"  ? bench_train()
+    auto report = arguments.what == "analysis"  ? bench_analysis(arguments.seconds)
+                  : arguments.what == "motion"  ? bench_motion(arguments.seconds)
+                  : arguments.what == "render"  ? bench_render()
+                  : arguments.what == "train"   ? bench_train()
+                  : arguments.what == "capture" ? bench_capture()
                   : arguments.what == "avatar"
                       ? bench_avatar(arguments.model)
                       : bench_latency(arguments.seconds, arguments.is_held);

@@ -63,6 +63,7 @@ struct MotionWish {
     bool loops = false;               ///< begins again at its end, whatever its ends are
     bool does_not_loop = false;       ///< is performed once
     std::optional<double> arm_angle;  ///< AvatarClipOptions::arm_angle
+    Path camera;                      ///< a camera's VMD; empty: the settings' camera
 
     /// The same, decided for the clip that it names.
     [[nodiscard]] engine::ClipTiming timing(const engine::AvatarClip& clip) const {
@@ -155,13 +156,14 @@ struct AvatarShowArguments {
 
 /// Arguments of `raks avatar pose`.
 struct AvatarPoseArguments {
-    std::string model;              ///< file, or a name of `raks avatar list`
-    engine::AvatarOptions options;  ///< of its file
-    std::string pose;               ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
-    std::string motion;             ///< clip: FILE, or FILE#NAME; empty: `pose` is given
-    JointArguments joints;          ///< which joint of the clip is which bone
-    std::string time = "0";         ///< seconds into the clip, or "all"
-    Path output;                    ///< .png, .obj or .tsv
+    std::string model;                ///< file, or a name of `raks avatar list`
+    engine::AvatarOptions options;    ///< of its file
+    std::string pose;                 ///< "FILE.json" or "FILE.json#NAME"; empty: `motion` is given
+    std::string motion;               ///< clip: FILE, or FILE#NAME; empty: `pose` is given
+    JointArguments joints;            ///< which joint of the clip is which bone
+    std::optional<double> arm_angle;  ///< AvatarClipOptions::arm_angle
+    std::string time = "0";           ///< seconds into the clip, or "all"
+    Path output;                      ///< .png, .obj or .tsv
 };
 /// Writes a model's posed mesh or its joints. Errors: no model or not a figure, no posture, no clip
 /// or not a figure's, a time that it does not have, the output's ending.
@@ -187,6 +189,7 @@ struct XbodyArguments {
     engine::AvatarOptions options;     ///< of its file
     std::string motion;                ///< clip: FILE, or FILE#NAME; empty: none
     JointArguments joints;             ///< which joint of the clip is which bone
+    std::optional<double> arm_angle;   ///< AvatarClipOptions::arm_angle
     std::optional<std::size_t> frame;  ///< of the clip; none: the first, of a film all
     double rate = 1.0;                 ///< of a film; -2 to 4, not 0
     std::string view = "front";        ///< or side, back, top
@@ -215,7 +218,6 @@ struct RenderArguments {
     Path input;                 ///< empty: the demo salsa
     Path output;                ///< .mp4, .mkv, .webm, .avi, or a folder for .png
     MotionWish motion;          ///< performed instead of the dance
-    Path camera_motion;         ///< a camera's VMD; empty: the settings' camera
     Section section;            ///< of the input
     bool is_as_live = false;    ///< it is analyzed as it comes, as an input is
     bool has_alpha = false;     ///< the film keeps what is transparent; nothing is behind the dance
@@ -395,7 +397,7 @@ struct SynthArguments {
 
 /// Arguments of `raks bench`.
 struct BenchArguments {
-    std::string what;       ///< latency, analysis, motion, render, avatar or train
+    std::string what;       ///< latency, analysis, motion, render, avatar, train or capture
     std::string model;      ///< the avatar's: file, or a name of `raks avatar list`
     bool as_json = false;   ///< one JSON document instead of text
     double seconds = 20.0;  ///< length of the music

@@ -223,6 +223,14 @@ void add_motion_options(CLI::App& app, MotionWish& motion) {
         ->needs(clip)
         ->excludes(loop);
     add_arm_angle_option(app, motion.arm_angle)->needs(clip);
+    app.add_option("--camera-motion", motion.camera, "X.vmd that moves the camera")
+        ->type_name("FILE");
+}
+
+// In a window the camera's file goes with the clip, and is nothing without it.
+void add_live_motion_options(CLI::App& app, MotionWish& motion) {
+    add_motion_options(app, motion);
+    app.get_option("--camera-motion")->needs(app.get_option("--motion"));
 }
 
 // Each add_ function below adds one command with its options.
@@ -244,7 +252,7 @@ void add_play(RaksCommands& table) {
     app->add_flag("--headless", a->is_headless, "no window");
     app->add_flag("--no-sound", a->is_soundless, "no loudspeaker: paced by the clock");
     add_window_options(*app, a->window);
-    add_motion_options(*app, a->motion);
+    add_live_motion_options(*app, a->motion);
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     add_setting_options(*app, a->settings, engine::kPlay);
@@ -270,6 +278,7 @@ void add_open(RaksCommands& table) {
                          &Settings::buffer_ms,
                          &Settings::volume});
     add_window_options(*app, a->window);
+    add_live_motion_options(*app, a->motion);
     add_setting_options(*app, a->settings, engine::kPlay);
     add_output_options(*app, a->outputs);
     add_remote_options(*app, a->remote);
@@ -292,7 +301,7 @@ void add_live(RaksCommands& table) {
     auto* const bare = app->add_flag(
         "--no-avatar", a->has_no_avatar, "nobody dances: no window, only beats for other programs");
     add_window_options(*app, a->window);
-    add_motion_options(*app, a->motion);
+    add_live_motion_options(*app, a->motion);
     add_setting_options(*app, a->settings, engine::kLive);
     add_output_options(*app, a->outputs);
     add_remote_options(*app, a->remote);
@@ -315,8 +324,6 @@ void add_render(RaksCommands& table) {
                       a->has_alpha,
                       "nothing behind the dance, and the film keeps it: X.mov, X.webm or a folder");
     add_motion_options(*app, a->motion);
-    app->add_option("--camera-motion", a->camera_motion, "X.vmd that moves the camera")
-        ->type_name("FILE");
     add_as_live_option(*app, a->is_as_live);
     add_section_options(*app, a->section);
     // A window's overlay is a setting, a film has it only when asked for.

@@ -83,10 +83,16 @@ Expected<void> FilmedStage::draw(const engine::StageState& stage,
     const engine::ShownMoment shown =
         view.performance != nullptr ? view.performance->at(danced) : danced;
     render::Scene scene = view.scene;
+    engine::CameraChoice choice = view.camera;
     staging_.set_picture(static_cast<float>(frame.width) / static_cast<float>(frame.height),
                          bodies.size());
     follow_stage(staging_, stage);
-    staging_.set(scene, view.camera, {.time = moment}, shown.danced.tracks);
+    if (const auto camera =
+            view.performance != nullptr ? view.performance->camera(bodies.size()) : std::nullopt) {
+        scene.camera = *camera;
+        choice.is_held = true;
+    }
+    staging_.set(scene, choice, {.time = moment}, shown.danced.tracks);
     engine::draw_moment(shown, view.drawing.renderer, bodies, scene, frame);
     if (describe) {
         render::OverlayState info;

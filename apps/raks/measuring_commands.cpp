@@ -67,6 +67,7 @@ void add_avatar_pose(RaksCommands& table, CLI::App& avatar) {
         "--motion", a->motion, "clip: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...");
     pose->excludes(motion);
     add_joint_options(*app, a->joints, "the clip", motion);
+    add_arm_angle_option(*app, a->arm_angle)->needs(motion);
     app->add_option("--time", a->time, "seconds into the clip, or all")->needs(motion);
     app->add_option("-o,--out", a->output, "X.png: a picture; X.obj: the mesh; X.tsv: joints")
         ->required();
@@ -109,6 +110,7 @@ void add_xbody(RaksCommands& table) {
     auto* const motion = app->add_option(
         "--motion", a->motion, "clip: X.vrma, X.glb, X.glb#NAME of several, X.bvh, ...");
     add_joint_options(*app, a->joints, "the clip", motion);
+    add_arm_angle_option(*app, a->arm_angle)->needs(motion);
     app->add_option_function<std::int64_t>(
            "--frame",
            [arguments = a](const std::int64_t& frame) {
@@ -272,9 +274,9 @@ void add_eval(RaksCommands& table) {
 
 void add_bench(RaksCommands& table) {
     auto [app, a] = table.add(table.app(), "bench", "measure this machine", bench);
-    app->add_option("what", a->what, "latency, analysis, motion, render, avatar or train")
+    app->add_option("what", a->what, "latency, analysis, motion, render, avatar, train or capture")
         ->required()
-        ->check(one_of({"latency", "analysis", "motion", "render", "avatar", "train"}));
+        ->check(one_of({"latency", "analysis", "motion", "render", "avatar", "train", "capture"}));
     app->add_option(
         "model", a->model, "model for avatar: file, or name of one of `raks avatar list`");
     app->parse_complete_callback([arguments = a] {

@@ -393,8 +393,8 @@ ExitCode render(const RenderArguments& given) {
     if (!look) {
         return fail(look.error());
     }
-    if (!arguments.camera_motion.empty()) {
-        auto camera = engine::CameraMotion::load(arguments.camera_motion);
+    if (!arguments.motion.camera.empty()) {
+        auto camera = engine::CameraMotion::load(arguments.motion.camera);
         if (!camera) {
             return fail(camera.error());
         }
@@ -413,7 +413,7 @@ ExitCode render(const RenderArguments& given) {
     if (auto checked = check_is_no_input(arguments.output,
                                          {arguments.input,
                                           engine::AvatarClip::file_of(arguments.motion.file),
-                                          arguments.camera_motion});
+                                          arguments.motion.camera});
         !checked) {
         return fail(std::move(checked.error()));
     }

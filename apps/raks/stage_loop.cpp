@@ -576,7 +576,13 @@ void StageLoop::draw(const engine::WindowPicture& picture, render::OverlayState&
         static_cast<float>(picture.target.width) / static_cast<float>(picture.target.height),
         picture.bodies.size());
     follow_stage(staging_, stage);
-    staging_.set(picture.scene, picture.camera, {.time = moment}, shown.danced.tracks);
+    engine::CameraChoice choice = picture.camera;
+    if (const auto camera =
+            performance_ ? performance_->camera(picture.bodies.size()) : std::nullopt) {
+        picture.scene.camera = *camera;
+        choice.is_held = true;
+    }
+    staging_.set(picture.scene, choice, {.time = moment}, shown.danced.tracks);
     // Where an output has drawn this moment in this size, it is drawn once.
     if (!video_ || !video_->show(picture.target, moment)) {
         draw_moment(shown, picture.renderer, picture.bodies, picture.scene, picture.target);

@@ -31,8 +31,16 @@ Expected<std::unique_ptr<engine::ClipPerformance>> performance_of(
         return fail(opened.error());
     }
     const engine::ClipTiming timing = wish.timing(*opened);
-    return std::make_unique<engine::ClipPerformance>(
+    auto performance = std::make_unique<engine::ClipPerformance>(
         engine::ClipPerformer(std::move(*opened), timing), name);
+    if (!wish.camera.empty()) {
+        auto camera = engine::CameraMotion::load(wish.camera);
+        if (!camera) {
+            return fail(std::move(camera.error()));
+        }
+        performance->set_camera(std::move(*camera));
+    }
+    return performance;
 }
 
 }  // namespace

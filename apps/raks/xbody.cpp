@@ -86,8 +86,11 @@ Expected<ShownModel> load(const XbodyArguments& arguments) {
     if (!joints) {
         return fail(std::move(joints.error()));
     }
-    return load_shown_model(
-        {std::move(*file), arguments.options, arguments.motion, std::move(*joints)});
+    return load_shown_model({std::move(*file),
+                             arguments.options,
+                             arguments.motion,
+                             std::move(*joints),
+                             arguments.arm_angle});
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "apps/terminal/say.hpp"
 #include "motion/capture/angles/angle_errors.hpp"
+#include "motion/capture/angles/unsure_joints.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 
 namespace raks::apps {
@@ -39,6 +41,47 @@ Expected<std::vector<motion::Pose>> poses_of(const motion::MotionClip& clip) {
 }
 
 }  // namespace
+
+std::vector<std::string> angle_lines(const FollowedMarkers& followed,
+                                     const capture::BodyModel& model) {
+    constexpr double kDegrees = 180.0 / M_PI;
+    const capture::AngleTrack& track = *followed.angles;
+    const auto sureness = capture::joint_sureness(track, model);
+    std::vector<double> medians;
+    for (const capture::JointSureness& joint : sureness) {
+        medians.push_back(joint.median);
+    }
+    const auto least =
+        std::max_element(sureness.begin(), sureness.end(), [](const auto& one, const auto& other) {
+            return one.median < other.median;
+        });
+    std::sort(medians.begin(), medians.end());
+    std::vector<std::string> lines = {
+        fmt::format("a body of {:.2f} m; joints are known to {:.1f} degrees (median), {} to {:.1f}",
+                    capture::kMannequinHeight * followed.size.whole,
+                    kDegrees * medians[medians.size() / 2],
+                    least->joint,
+                    kDegrees * least->median)};
+    std::size_t first = 0;
+    for (std::size_t frame = 0; frame <= track.is_lost.size(); ++frame) {
+        if (frame < track.is_lost.size() && track.is_lost[frame]) {
+            continue;
+        }
+        if (frame > first) {
+            lines.push_back(fmt::format("the body is lost from {:.2f} to {:.2f} s",
+                                        track.time_of(first),
+                                        track.time_of(frame - 1)));
+        }
+        first = frame + 1;
+    }
+    constexpr std::size_t kMostLines = 8;
+    if (lines.size() > kMostLines) {
+        const std::size_t more = lines.size() - kMostLines;
+        lines.resize(kMostLines);
+        lines.push_back(fmt::format("and in {} stretches more", more));
+    }
+    return lines;
+}
 
 Expected<void> print_angle_errors(const FollowedMarkers& followed,
                                   const capture::BodyModel& model,

@@ -14,4 +14,9 @@ namespace raks::apps {
                                                 const capture::BodyModel& model,
                                                 const std::filesystem::path& truth);
 
+/// What people want to know of a body that was followed, a line each: its height, how sure its
+/// joints are by the particles' spread, and the stretches in which it is lost.
+[[nodiscard]] std::vector<std::string> angle_lines(const FollowedMarkers& followed,
+                                                   const capture::BodyModel& model);
+
 }  // namespace raks::apps

@@ -201,8 +201,12 @@ void add_track_by_angles(CLI::App& app, TrackArguments& arguments) {
                    arguments.method,
                    "follow each marker by itself, or the whole body; or a dancer without markers")
         ->check(one_of({"positions", "angles", "markerless"}));
-    app.add_option("--body", arguments.body, "angles: which joints move")
-        ->check(one_of({"dance", "paper"}));
+    app.add_option("--body",
+                   arguments.body,
+                   "angles: which joints move: dance, paper, or a file of joints (TOML)");
+    app.add_flag("--no-fit",
+                 arguments.is_body_kept,
+                 "angles: a body as its height says, not fitted to the first seconds");
     app.add_option("--likelihood", arguments.likelihood, "angles: what a posture is judged by")
         ->check(one_of({"reprojection", "epipolar"}));
     app.add_option("--filter", arguments.filter, "angles: limb by limb, or all joints at once")
@@ -300,8 +304,8 @@ void add_solve(CommandTable& table) {
         ->check(in_range(0.8, 2.5));
     app->add_option("--fps", arguments->frames_per_second, "frames a second of the dance")
         ->check(in_range(1.0, 1000.0));
-    app->add_option("--body", arguments->body, "which joints move")
-        ->check(one_of({"dance", "paper"}));
+    app->add_option(
+        "--body", arguments->body, "which joints move: dance, paper, or a file of joints (TOML)");
     app->add_option("--smoothness", arguments->smoothness, "above 1: softer, below: sharper")
         ->check(in_range(0.05, 20.0));
     app->add_flag("--json", arguments->as_json, "print the figures as JSON");

@@ -125,13 +125,14 @@ struct TrackArguments {
     double smoothing = 12.0;
     bool is_as_named = false;  ///< the order of the films is not checked
     std::string method;        ///< empty: capture.toml's
-    std::string body;          ///< of the method of angles; empty: capture.toml's
+    std::string body;          ///< dance, paper or a file; empty: capture.toml's
     std::string likelihood = "reprojection";
     std::string filter = "partitioned";
     int particles = 300;
     int layers = 10;
     bool is_unpolished = false;
-    double body_error = 0.0;  ///< share of each length
+    bool is_body_kept = false;  ///< the body is not fitted first
+    double body_error = 0.0;    ///< share of each length
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: as many as there are cores
 };
@@ -167,7 +168,7 @@ struct SolveArguments {
     Path markers;                    ///< that its points are; empty: joints
     double height = 0.0;             ///< metres; 0: capture.toml's
     double frames_per_second = 0.0;  ///< 0: capture.toml's
-    std::string body;                ///< empty: capture.toml's
+    std::string body;                ///< dance, paper or a file; empty: capture.toml's
     double smoothness = 1.0;
     bool as_json = false;
 };

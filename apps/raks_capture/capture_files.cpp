@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/camera/rig_file.hpp"
+#include "motion/capture/solving/body_file.hpp"
 
 namespace raks::apps {
 namespace {
@@ -101,27 +102,46 @@ Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan) {
     return read_if_made(plan.file("moved.tsv"), &capture::read_moves);
 }
 
-Expected<std::vector<capture::BodyState>> load_angles(const CapturePlan& plan,
-                                                      capture::BodyKind body) {
-    using capture::BodyKind;
+Expected<capture::BodyModel> load_body(const CapturePlan& plan, const std::string& told) {
+    const std::string& body = told.empty() ? plan.body : told;
+    if (body == "dance" || body == "paper") {
+        return capture::BodyModel(body == "paper" ? capture::BodyKind::paper
+                                                  : capture::BodyKind::dance);
+    }
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+    const std::filesystem::path file = told.empty() ? plan.file(body) : std::filesystem::path(told);
+    const Expected<std::string> text = read_text_file(file, kMostBytes);
+    return text ? capture::read_body_model(*text, file.string()) : fail(text.error());
+}
+
+Expected<std::optional<capture::AngleTrack>> load_angle_track(const CapturePlan& plan,
+                                                              const capture::BodyModel& body) {
     const std::filesystem::path file = plan.file("angles.csv");
     if (!is_there(file)) {
-        return std::vector<capture::BodyState>{};
+        return std::optional<capture::AngleTrack>();
     }
     const Expected<std::string> text = read_text_file(file, kLargestTable);
     if (!text) {
         return fail(text.error());
     }
-    auto angles = capture::read_angles(*text, file.string(), capture::BodyModel(body));
-    if (angles) {
-        return std::move(angles->states);
+    if (!capture::is_of_body(*text, body)) {
+        return std::optional<capture::AngleTrack>();
     }
-    const BodyKind other = body == BodyKind::paper ? BodyKind::dance : BodyKind::paper;
-    if (!capture::read_angles(*text, file.string(), capture::BodyModel(other))) {
-        return fail(std::move(angles.error()));
+    auto angles = capture::read_angles(*text, file.string(), body);
+    return angles ? Expected<std::optional<capture::AngleTrack>>(std::move(*angles))
+                  : fail(std::move(angles.error()));
+}
+
+Expected<std::vector<capture::BodyState>> load_angles(const CapturePlan& plan,
+                                                      const capture::BodyModel& body) {
+    auto track = load_angle_track(plan, body);
+    if (!track) {
+        return fail(std::move(track.error()));
     }
-    say(fmt::format("{}: is of the other body; postures are found anew", file.string()));
-    return std::vector<capture::BodyState>{};
+    if (!*track && is_there(plan.file("angles.csv"))) {
+        say(plan.file("angles.csv").string() + ": is of another body; postures are found anew");
+    }
+    return *track ? std::move((*track)->states) : std::vector<capture::BodyState>{};
 }
 
 Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/raks_capture/capture_plan.hpp"
+#include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/camera/rig.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -36,10 +39,19 @@ namespace raks::apps {
 /// moved.tsv; none there: none was moved. Errors: those of the file.
 [[nodiscard]] Expected<std::vector<capture::CameraMove>> load_moves(const CapturePlan& plan);
 
+/// The body whose joints move: `told`, "dance", "paper" or a file of joints; empty: as the plan has
+/// it. Errors: those of the file.
+[[nodiscard]] Expected<capture::BodyModel> load_body(const CapturePlan& plan,
+                                                     const std::string& told);
+
 /// The postures of angles.csv, by frame; none there, or of another body, which is said: none.
 /// Errors: those of the file.
 [[nodiscard]] Expected<std::vector<capture::BodyState>> load_angles(const CapturePlan& plan,
-                                                                    capture::BodyKind body);
+                                                                    const capture::BodyModel& body);
+
+/// The track of angles.csv; none there, or of another body: none. Errors: those of the file.
+[[nodiscard]] Expected<std::optional<capture::AngleTrack>> load_angle_track(
+    const CapturePlan& plan, const capture::BodyModel& body);
 
 /// tracks.csv and flags.tsv of a folder. Errors: none there (track first), those of the files.
 [[nodiscard]] Expected<capture::Tracks> load_tracks(const std::filesystem::path& folder);

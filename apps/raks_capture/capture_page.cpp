@@ -241,6 +241,25 @@ std::string markers_section(const CaptureReport& report) {
            draw_visibility(*report.tracks) + markers_table(report) + curves_section(report);
 }
 
+std::string joints_section(const CaptureReport& report) {
+    if (report.joints.empty()) {
+        return {};
+    }
+    constexpr double kDegrees = 180.0 / M_PI;
+    std::string section =
+        "<h2>How sure the angles are</h2>\n<p>Standard deviation of each joint by the spread of "
+        "the particles, where the body is not lost: of the axis that is least sure.</p>\n" +
+        begin_table({"joint", "degrees, median", "19 of 20 below", "over 20 degrees, %"});
+    for (const capture::JointSureness& joint : report.joints) {
+        section += row_of({xml_text(joint.joint),
+                           fmt::format("{:.1f}", kDegrees * joint.median),
+                           fmt::format("{:.1f}", kDegrees * joint.high),
+                           fmt::format("{:.1f}", 100.0 * joint.unsure)},
+                          "td");
+    }
+    return section + end_table();
+}
+
 std::string flags_section(const CaptureReport& report) {
     if (!report.tracks || report.tracks->flags.empty()) {
         return {};
@@ -250,7 +269,8 @@ std::string flags_section(const CaptureReport& report) {
     std::string section =
         "<h2>To be looked at</h2>\n<p>Lost: fewer than two cameras see it. Filled: over more than "
         "0.2 s. Length: too far from, or too near to a marker of the same bone. Exchanged: it may "
-        "be another marker. Residual: its cameras do not agree. <code>raks capture "
+        "be another marker. Residual: its cameras do not agree. Unsure: the angle of its joint is "
+        "known to 20 degrees at best. <code>raks capture "
         "correct</code> and <code>edits.jsonl</code> put them right.</p>\n" +
         begin_table({"marker", "doubt", "from, s", "to, s", "frames"});
     for (std::size_t i = 0; i < std::min(kMostRows, tracks.flags.size()); ++i) {
@@ -343,8 +363,8 @@ std::string body_section(const CaptureReport& report) {
 std::string capture_page(const CaptureReport& report) {
     return web_page("Capture " + report.name,
                     overview_section(report) + room_section(report) + clocks_section(report) +
-                        markers_section(report) + flags_section(report) + edits_section(report) +
-                        body_section(report));
+                        markers_section(report) + joints_section(report) + flags_section(report) +
+                        edits_section(report) + body_section(report));
 }
 
 }  // namespace raks::apps

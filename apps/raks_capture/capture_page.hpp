@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/raks_capture/body_facts.hpp"
+#include "motion/capture/angles/unsure_joints.hpp"
 #include "motion/capture/camera/rig.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -26,6 +27,7 @@ struct CaptureReport {
     /// Distance of each place from the truth, frames x markers, metres; NaN where there is no
     /// truth, infinite where the marker is lost. Empty: the truth is not known.
     std::vector<double> errors;
+    std::vector<capture::JointSureness> joints;  ///< where a body was followed by angles
     std::vector<capture::Edit> edits;
     std::vector<capture::CameraMove> moves;
     std::optional<BodyFacts> body;
@@ -33,8 +35,8 @@ struct CaptureReport {
 
 /// The page: what came of the capture in a sentence, and which cameras were moved; the cameras and
 /// the room from above; their clocks; of every marker when it was seen, and how well its place is
-/// known; what is to be looked at; what was corrected; the body and its feet. Self-contained, in
-/// the style of all reports.
+/// known; how sure the angles of a followed body are; what is to be looked at; what was corrected;
+/// the body and its feet. Self-contained, in the style of all reports.
 [[nodiscard]] std::string capture_page(const CaptureReport& report);
 
 }  // namespace raks::apps

@@ -101,9 +101,13 @@ void read_cameras(const toml::table& root, CapturePlan& plan, TomlComplaints& co
 
 void read_take(const toml::table& root, CapturePlan& plan, TomlComplaints& complaints) {
     constexpr std::array<std::string_view, 2> kBodies = {"dance", "paper"};
+    constexpr std::string_view kFileEnd = ".toml";
     complaints.read(root, "height", {0.3, 3.0}, plan.height);
     if (const toml::node* const body = root.get("body")) {
-        plan.is_paper_body = complaints.word(*body, "body", kBodies) == 1;
+        plan.body = complaints.text(root, "body");
+        if (!plan.body.ends_with(kFileEnd)) {
+            plan.body = kBodies[complaints.word(*body, "body", kBodies)];
+        }
     }
     constexpr std::array<std::string_view, 3> kMethods = {"positions", "angles", "markerless"};
     if (const toml::node* const method = root.get("method")) {
@@ -176,7 +180,7 @@ std::string capture_plan_text(const CapturePlan& plan) {
     if (plan.height > 0.0) {
         text += fmt::format("height = {}\n", plan.height);
     }
-    text += fmt::format("body = \"{}\"\n", plan.is_paper_body ? "paper" : "dance");
+    text += fmt::format("body = {}\n", toml_quoted(plan.body));
     if (plan.is_markerless) {
         text += "method = \"markerless\"\n";
     } else if (plan.method) {

@@ -30,7 +30,7 @@ enum class TrackingMethod { positions, angles };
 ///     format = "raks-capture"
 ///     version = 1
 ///     height = 1.72                 # of the dancer, metres; left out: found from the markers
-///     body = "dance"                # or "paper": 22 degrees of freedom
+///     body = "dance"                # or "paper": 22 degrees of freedom; or a file of joints
 ///     method = "positions"          # or "angles": how markers are followed; left out: by what
 ///                                   # the cameras can tell apart; or "markerless"
 ///     music = "song.mp3"            # left out: none
@@ -53,9 +53,10 @@ enum class TrackingMethod { positions, angles };
 ///     calibration = "left_board.mp4"
 ///     loudspeaker = 3.2             # metres from it
 struct CapturePlan {
-    std::filesystem::path folder;            ///< that capture.toml lies in
-    double height = 0.0;                     ///< metres; 0: not said
-    bool is_paper_body = false;              ///< body = "paper"
+    std::filesystem::path folder;  ///< that capture.toml lies in
+    double height = 0.0;           ///< metres; 0: not said
+    /// Which joints move: "dance", "paper", or a file, relative to the folder.
+    std::string body = "dance";
     std::optional<TrackingMethod> method{};  ///< none: by what the cameras can tell apart
     bool is_markerless = false;              ///< method = "markerless": no markers, no board
     std::filesystem::path music;

@@ -56,6 +56,18 @@ Expected<void> read_body(const Path& file, CaptureReport& report) {
     return {};
 }
 
+Expected<void> read_angles(const CapturePlan& plan, CaptureReport& report) {
+    const auto body = load_body(plan, "");
+    const auto track = body ? load_angle_track(plan, *body) : fail(body.error());
+    if (!track) {
+        return fail(track.error());
+    }
+    if (*track) {
+        report.joints = capture::joint_sureness(**track, *body);
+    }
+    return {};
+}
+
 Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& arguments) {
     CaptureReport report;
     report.name = std::filesystem::weakly_canonical(plan.folder).filename().string();
@@ -74,6 +86,9 @@ Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& a
         return fail(std::move(markers.error()));
     }
     report.markers = std::move(*markers);
+    if (done) {
+        done = read_angles(plan, report);
+    }
     if (done) {
         done = read_if_there(
             plan.file("edits.jsonl"), report.edits, [&plan] { return load_edits(plan); });

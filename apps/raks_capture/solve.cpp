@@ -38,8 +38,6 @@ capture::SolveOptions options_of(const SolveArguments& arguments, const CaptureP
     }
     options.frames_per_second =
         arguments.frames_per_second > 0.0 ? arguments.frames_per_second : plan.frames_per_second;
-    const bool is_paper = arguments.body.empty() ? plan.is_paper_body : arguments.body == "paper";
-    options.body = is_paper ? capture::BodyKind::paper : capture::BodyKind::dance;
     options.smoothness = arguments.smoothness;
     return options;
 }
@@ -193,6 +191,11 @@ ExitCode solve_capture(const SolveArguments& arguments) {
         options.marker_deviation = kKeypointDeviation;
         options.height = dancer_height(*plan, arguments.height);
     }
+    auto body = load_body(*plan, arguments.body);
+    if (!body) {
+        return fail(std::move(body.error()));
+    }
+    options.body = std::move(*body);
     auto start = load_angles(*plan, options.body);
     if (!start) {
         return fail(std::move(start.error()));

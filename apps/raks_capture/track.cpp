@@ -55,9 +55,8 @@ Expected<void> write_tracks(const CapturePlan& plan,
         {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
         {"tracks.c3d", capture::c3d_bytes(tracks)}};
     if (followed.angles) {
-        files.emplace_back(
-            "angles.csv",
-            capture::angles_text(*followed.angles, capture::BodyModel(given.angles->body)));
+        files.emplace_back("angles.csv",
+                           capture::angles_text(*followed.angles, given.angles->body));
     }
     if (!followed.angles) {
         drop_angles(plan);
@@ -96,9 +95,8 @@ Expected<void> print_errors(const TrackingGiven& given,
                 ? fmt::format(", {:.1f} % of them flagged", 100.0 * errors->flagged_share())
                 : "");
     }
-    return followed.angles
-               ? print_angle_errors(followed, capture::BodyModel(given.angles->body), folder)
-               : Expected<void>{};
+    return followed.angles ? print_angle_errors(followed, given.angles->body, folder)
+                           : Expected<void>{};
 }
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -149,16 +147,16 @@ void say_method(const TrackArguments& arguments,
     }
 }
 
-// What arguments say of a body that is followed, over what capture.toml says.
-void set_angle_options(const TrackArguments& arguments,
-                       const CapturePlan& plan,
-                       TrackingGiven& given) {
-    if (!given.angles) {
-        return;
+// What arguments say of following by angles.
+Expected<void> set_angles(const TrackArguments& arguments,
+                          const CapturePlan& plan,
+                          capture::AngleTrackerOptions& options) {
+    auto body = load_body(plan, arguments.body);
+    if (!body) {
+        return fail(std::move(body.error()));
     }
-    capture::AngleTrackerOptions options;
-    const bool is_paper = arguments.body.empty() ? plan.is_paper_body : arguments.body == "paper";
-    options.body = is_paper ? capture::BodyKind::paper : capture::BodyKind::dance;
+    options.body = std::move(*body);
+    options.fits_body = !arguments.is_body_kept;
     options.body_error = arguments.body_error;
     options.filter.likelihood = arguments.likelihood == "epipolar"
                                     ? capture::Likelihood::epipolar
@@ -172,13 +170,20 @@ void set_angle_options(const TrackArguments& arguments,
     options.filter.threads = arguments.threads > 0
                                  ? arguments.threads
                                  : static_cast<int>(std::thread::hardware_concurrency());
+    return {};
+}
+
+// What is to be expected of following a body by these markers and edits.
+void say_warnings(const TrackingGiven& given) {
     for (const capture::Edit& edit : given.edits) {
         if (edit.kind == capture::EditKind::swap || edit.kind == capture::EditKind::fill) {
             say("edits that swap or fill are for the method of positions; they are passed over");
             break;
         }
     }
-    given.angles = options;
+    if (const std::string doubt = colour_doubt(given.markers); !doubt.empty()) {
+        say(doubt);
+    }
 }
 
 // Follows the markers. A person who stops it keeps what is done.
@@ -268,7 +273,12 @@ ExitCode track(const TrackArguments& arguments) {
     given->options.smoothing = arguments.smoothing;
     given->options.check_order = !arguments.is_as_named;
     say_method(arguments, *plan, *given);
-    set_angle_options(arguments, *plan, *given);
+    if (given->angles) {
+        if (auto set = set_angles(arguments, *plan, *given->angles); !set) {
+            return fail(std::move(set.error()));
+        }
+        say_warnings(*given);
+    }
     const double cpu_before = cpu_seconds();
     auto followed = follow(*given);
     if (followed && given->rig.floor == capture::FloorOrigin::unknown && !stop_signal()) {
@@ -288,6 +298,9 @@ ExitCode track(const TrackArguments& arguments) {
     say(summary_of(stages.smoothed));
     if (followed->angles) {
         say(cost_of(stages.smoothed, cpu));
+        for (const std::string& line : angle_lines(*followed, given->angles->body)) {
+            say(line);
+        }
     }
     for (const auto& doubts : {film_doubts(given->rig, given->seen, given->clocks),
                                track_doubts(stages.smoothed, given->markers)}) {

@@ -166,6 +166,20 @@ std::string too_much_lost(const capture::Tracks& tracks) {
         lost > kMostLost ? "" : " or filled in");
 }
 
+std::string colour_doubt(const capture::MarkerSet& markers) {
+    const std::size_t colours = markers.colours().size();
+    constexpr std::size_t kEnough = 3;
+    if (colours >= kEnough) {
+        return {};
+    }
+    return fmt::format(
+        "{} markers of {}: where spots are missed or false a limb is taken for another and the "
+        "body is lost at times; give neighbours, left and right, different colours (five are "
+        "enough)",
+        markers.markers.size(),
+        colours == 1 ? "one colour" : "two colours");
+}
+
 std::vector<std::string> track_doubts(const capture::Tracks& tracks,
                                       const capture::MarkerSet& markers) {
     std::vector<std::string> doubts = {lost_markers(tracks), floor_doubt(tracks, markers)};

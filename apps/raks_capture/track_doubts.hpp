@@ -30,4 +30,8 @@ namespace raks::apps {
 /// learnt from it; empty: it is not.
 [[nodiscard]] std::string too_much_lost(const capture::Tracks& tracks);
 
+/// What markers of one colour, or of two, do to a body that is followed by angles, in one line;
+/// empty: they have more.
+[[nodiscard]] std::string colour_doubt(const capture::MarkerSet& markers);
+
 }  // namespace raks::apps

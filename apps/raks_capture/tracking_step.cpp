@@ -4,6 +4,7 @@
 
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/film_step.hpp"
+#include "base/file.hpp"
 
 namespace raks::apps {
 
@@ -14,10 +15,15 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
     if (auto checked = check_cameras(plan); !checked) {
         return fail(std::move(checked.error()));
     }
+    method = method ? method : plan.method;
     auto rig = load_capture_rig(plan);
     auto markers = load_markers(plan);
     auto clocks = load_clocks(plan);
-    auto labels = load_labels(labels_file);
+    // A body is found without labels, where spots have their colours already.
+    const bool is_by_body = markers && is_body_followed(method, *markers, plan.cameras.size());
+    const bool needs_labels =
+        !is_by_body || is_there(labels_file) || !is_there(plan.file("detections.csv"));
+    auto labels = needs_labels ? load_labels(labels_file) : std::vector<capture::MarkerLabel>{};
     auto edits = load_edits(plan);
     for (const Error* const error : {rig ? nullptr : &rig.error(),
                                      markers ? nullptr : &markers.error(),
@@ -44,10 +50,13 @@ Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
     given.options.first_time = plan.start;
     given.options.height = plan.height;
     given.options.check_order = false;
-    if (is_body_followed(method ? method : plan.method, given.markers, given.seen.films.size())) {
+    if (is_body_followed(method, given.markers, given.seen.films.size())) {
+        auto body = load_body(plan, "");
+        if (!body) {
+            return fail(std::move(body.error()));
+        }
         given.angles.emplace();
-        given.angles->body =
-            plan.is_paper_body ? capture::BodyKind::paper : capture::BodyKind::dance;
+        given.angles->body = std::move(*body);
     }
     return given;
 }
@@ -58,15 +67,17 @@ Expected<FollowedMarkers> track_with(const TrackingGiven& given,
         given.rig, given.markers, given.seen, given.clocks, given.labels, edits};
     if (!given.angles) {
         auto stages = capture::track_markers(input, given.options);
-        return stages ? Expected<FollowedMarkers>({std::move(*stages), std::nullopt, {}})
+        return stages ? Expected<FollowedMarkers>({std::move(*stages), std::nullopt, {}, {}})
                       : fail(std::move(stages.error()));
     }
     auto followed = capture::track_angles(input, given.options, *given.angles);
     if (!followed) {
         return fail(std::move(followed.error()));
     }
-    return FollowedMarkers{
-        std::move(followed->stages), std::move(followed->angles), std::move(followed->shape)};
+    return FollowedMarkers{std::move(followed->stages),
+                           std::move(followed->angles),
+                           std::move(followed->shape),
+                           std::move(followed->size)};
 }
 
 }  // namespace raks::apps

@@ -26,8 +26,8 @@ struct TrackingGiven {
 };
 
 /// Reads it from the folder of a capture; looks for markers in the films where that is still to be
-/// done. `method`: before what capture.toml says. Errors: those of the files, and of
-/// seen_by_cameras.
+/// done. `method`: before what capture.toml says. A body that is followed by angles needs no labels
+/// where the spots are there. Errors: those of the files, and of seen_by_cameras.
 [[nodiscard]] Expected<TrackingGiven> load_tracking(const CapturePlan& plan,
                                                     const std::filesystem::path& labels,
                                                     capture::ChromaForm form,
@@ -38,6 +38,7 @@ struct FollowedMarkers {
     capture::TrackerStages stages;
     std::optional<capture::AngleTrack> angles;  ///< where a body was followed
     capture::BodyShape shape;                   ///< likewise
+    capture::BodySize size;                     ///< likewise
 };
 
 /// Follows the markers with these edits instead of those that were read. Errors: as

@@ -197,6 +197,7 @@ Expected<engine::AvatarClip> load_motion(const std::string& motion, const Motion
                                     {.avatar = wearer.plan.file,
                                      .labels = wearer.plan.options.labels,
                                      .joints = wearer.plan.joints,
+                                     .arm_angle = wearer.plan.arm_angle,
                                      .own_labels = wearer.labels,
                                      .others = render::OtherNodes::moved});
 }

@@ -25,8 +25,9 @@ namespace raks::apps {
 struct ShownModelPlan {
     std::filesystem::path file;
     engine::AvatarOptions options;
-    std::string motion;          ///< clip: FILE, or FILE#NAME; empty: none
-    motion::JointLabels joints;  ///< which joint of the clip is which bone
+    std::string motion;                              ///< clip: FILE, or FILE#NAME; empty: none
+    motion::JointLabels joints;                      ///< which joint of the clip is which bone
+    std::optional<double> arm_angle = std::nullopt;  ///< engine::AvatarClipOptions::arm_angle
 };
 
 /// A model, standing: a figure in its T-pose as a dance has it, all else as its file has it, as

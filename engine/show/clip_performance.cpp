@@ -39,6 +39,12 @@ void ClipPerformance::perform_until(HopIndex hop, const ShownMoment& shown) {
     }
 }
 
+std::optional<render::Camera> ClipPerformance::camera(float size) const {
+    const std::optional<double> seconds = performer_.file_seconds();
+    return camera_ && seconds ? std::optional(camera_->at(std::max(0.0, *seconds - ahead_), size))
+                              : std::nullopt;
+}
+
 ShownMoment ClipPerformance::at(const ShownMoment& shown) {
     const StreamTime moment = shown.danced.moment;
     perform_until(std::max<HopIndex>((moment - StreamTime{}) / kHop, 0), shown);
@@ -46,6 +52,9 @@ ShownMoment ClipPerformance::at(const ShownMoment& shown) {
     danced.tracks = tracks_;
     danced.lead = Nanos(0);
     danced.face = performer_.face();
+    if (!tracks_.empty()) {
+        ahead_ = to_seconds(time_of_hop(tracks_.front().newest_final()) - moment);
+    }
     return {shown.music, shown.dancer, danced};
 }
 

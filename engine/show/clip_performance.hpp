@@ -3,8 +3,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/show/camera_motion.hpp"
 #include "engine/show/clip_performer.hpp"
 #include "engine/show/show.hpp"
 #include "motion/skeleton/pose_track.hpp"
@@ -21,6 +23,12 @@ class ClipPerformance {
 
     /// The clip's file, for people.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// A camera that was made for the clip, from the start of its file on.
+    void set_camera(CameraMotion camera) { camera_ = std::move(camera); }
+    /// That camera at the moment that at() was asked for; none: there is none, or the clip does not
+    /// run. `size`: of the dancers against the mannequin's 1.
+    [[nodiscard]] std::optional<render::Camera> camera(float size) const;
+
     /// As ClipPerformer::description.
     [[nodiscard]] std::string description() const { return performer_.description(); }
     /// Another stream begins: the clip begins anew with the first moment of it that is shown.
@@ -41,6 +49,8 @@ class ClipPerformance {
 
     ClipPerformer performer_;
     std::string name_;
+    std::optional<CameraMotion> camera_;
+    double ahead_ = 0.0;  // seconds from the moment that was asked for to the newest pose
     std::optional<double> song_start_;
     std::vector<motion::PoseTrack> tracks_;  // one a dancer
 };

@@ -37,6 +37,10 @@ class ClipPerformer {
     [[nodiscard]] motion::Pose next(StreamTime moment, const MusicState& music);
     /// The clip's face then; none: it has none, or does not run.
     [[nodiscard]] std::optional<render::Face> face() const;
+    /// Where in the clip's file the last pose is, seconds; none: the clip does not run.
+    [[nodiscard]] std::optional<double> file_seconds() const noexcept {
+        return place_ ? std::optional(begins_ + *place_) : std::nullopt;
+    }
     /// What is said of it, one line: how long it is, its tempo, and whether it loops.
     [[nodiscard]] std::string description() const;
 

@@ -269,6 +269,18 @@ void weigh_limbs(Model& model,
     }
 }
 
+/// A foot or a hand that does not hang on its limb is doubtful, as a rig's goals look like that.
+void weigh_ends(const Model& model, HumanoidMap& map) {
+    for (const CheckedLimb& limb : kCheckedLimbs) {
+        const int lower = map.nodes[motion::index_of(limb.lower)];
+        const int last = map.nodes[motion::index_of(limb.last)];
+        if (lower >= 0 && last >= 0 && !is_labelled(map, limb.last) &&
+            !is_below(model, last, lower)) {
+            map.confidence[motion::index_of(limb.last)] = kDoubtful;
+        }
+    }
+}
+
 /// Hips that hang under the trunk carry both legs; names know only what carries all.
 void take_low_hips(const Model& model, HumanoidMap& map, const HumanoidMap& shape) {
     const bool is_low = map.nodes[0] >= 0 && map.reasons[0] == BoneReason::shape &&
@@ -400,6 +412,7 @@ HumanoidMap look_for_bones(Model& model, const BoneLabels* labels) {
     if (!map.is_of_parts) {
         weigh_limbs(model, map, shape, world, flesh);
         fill_in();
+        weigh_ends(model, map);
     }
     weigh_names(map, shape);
     drop_upside_down(model, map);

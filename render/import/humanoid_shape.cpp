@@ -338,6 +338,12 @@ std::optional<glm::vec3> feet_direction(const Model& model,
         if (is_mapped(humanoid, toes)) {
             forward = bone_place(humanoid, places, toes) - bone_place(humanoid, places, foot);
         } else {
+            // The flesh about a rig's goal for a foot says nothing of how the leg stands.
+            const Bone shin = on_side(Bone::left_lower_leg, side);
+            const auto node = [&](Bone bone) { return humanoid.nodes[motion::index_of(bone)]; };
+            if (is_mapped(humanoid, shin) && !is_below(model, node(foot), node(shin))) {
+                return std::nullopt;
+            }
             if (offsets.empty()) {
                 offsets = mean_offsets(model, world);
             }

@@ -76,6 +76,7 @@ std::span<const Reader> readers() {
         {"calibration_choices", read_calibration_choices, {}, 2000},
 #endif
         {"marker_set", read_marker_set_file, {}, 1000},
+        {"body_model", read_body_model_file, {}, 2000},
         {"clocks", read_clocks_file, {}, 2000},
         {"marker_labels", read_marker_labels, {}, 2000},
         {"detections", read_detections, {}, 1000},

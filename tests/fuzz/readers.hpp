@@ -93,6 +93,7 @@ bool read_qualisys_file(std::string_view text);        ///< its XML; and writes 
 bool read_capture_plan(std::string_view text);         ///< capture.toml; and writes it again
 bool read_calibration_choices(std::string_view text);  ///< and writes them again
 bool read_marker_set_file(std::string_view text);      ///< likewise, as those that follow
+bool read_body_model_file(std::string_view text);      ///< joints; and writes them again
 bool read_clocks_file(std::string_view text);          ///< of cameras
 bool read_marker_labels(std::string_view text);        ///< of pictures
 bool read_detections(std::string_view text);           ///< spots in pictures

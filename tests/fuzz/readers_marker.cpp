@@ -8,6 +8,7 @@
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
+#include "motion/capture/solving/body_file.hpp"
 #include "motion/capture/tracking/camera_moves.hpp"
 #include "motion/capture/tracking/edits.hpp"
 #include "tests/fuzz/promise.hpp"
@@ -44,6 +45,23 @@ capture::Tracks small_tracks() {
 
 bool read_marker_set_file(std::string_view text) {
     return reads_back(text, capture::read_marker_set, capture::marker_set_text);
+}
+
+bool read_body_model_file(std::string_view text) {
+    const auto model = capture::read_body_model(text, "x");
+    if (!model) {
+        must_be_one_line(model.error().message);
+        return false;
+    }
+    // Degrees and radians do not give the same digits back; the joints must be the same.
+    const auto again = capture::read_body_model(capture::body_model_text(*model), "y");
+    must(again && again->variables() == model->variables());
+    for (std::size_t i = 0; i < model->joints().size(); ++i) {
+        must(again->joints()[i].name == model->joints()[i].name &&
+             again->joints()[i].bones == model->joints()[i].bones &&
+             again->parent_of(i) == model->parent_of(i));
+    }
+    return true;
 }
 
 bool read_clocks_file(std::string_view text) {

@@ -185,6 +185,37 @@ std::string angles_text(const AngleTrack& track, const BodyModel& model) {
     return text;
 }
 
+bool is_of_body(std::string_view text, const BodyModel& model) {
+    motion::TableRows rows(motion::without_byte_order_mark(text), ',');
+    motion::TableRow cells;
+    std::vector<std::string> names;
+    std::string first;
+    while (rows.next(cells) && cells.cells.size() == kCells) {
+        const std::string frame(cells.cells[0]);
+        const std::string_view name = cells.cells[2];
+        if (name == "joint") {
+            continue;  // the head
+        }
+        first = names.empty() && first.empty() ? frame : first;
+        if (frame != first) {
+            break;
+        }
+        if (name != kPlaceName) {
+            names.emplace_back(name);
+        }
+        if (names.size() > kMostJoints) {
+            break;
+        }
+    }
+    return names.empty() || std::equal(names.begin(),
+                                       names.end(),
+                                       model.joints().begin(),
+                                       model.joints().end(),
+                                       [](const std::string& name, const TurningJoint& joint) {
+                                           return name == joint.name;
+                                       });
+}
+
 Expected<AngleTrack> read_angles(std::string_view text,
                                  const std::string& file,
                                  const BodyModel& model) {

@@ -32,6 +32,10 @@ struct AngleTrack {
 /// variable that is least sure. Where the body is lost, cells are blank.
 [[nodiscard]] std::string angles_text(const AngleTrack& track, const BodyModel& model);
 
+/// Whether the joints that such a table names are the model's, by its first frame. True as well for
+/// what is no such table: read_angles says what is wrong with that.
+[[nodiscard]] bool is_of_body(std::string_view text, const BodyModel& model);
+
 /// Reads it. Errors, one line with its number: no such head, words that are no numbers, frames out
 /// of order or not complete, other joints than the model's, angles beyond three turns, no frame in
 /// which the body is found.

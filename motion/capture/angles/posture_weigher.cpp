@@ -36,6 +36,7 @@ struct TableLink {
     float angle = 0.0F;           ///< of a hinge in the reference
     float lowest = 0.0F;
     float highest = 0.0F;
+    std::array<float, 4> usual{1.0F, 0.0F, 0.0F, 0.0F};  ///< of a ball: w, x, y, z
     float least_w = -1.0F;    ///< of a ball: cosine of half of the greatest turn of a share
     float w_to_angle = 0.0F;  ///< radians of the whole turn to one of w, beyond that
 };
@@ -161,7 +162,10 @@ RAKS_LANES_INLINE Lanes limit_cost(const TableLink& link,
         const Lanes angle = link.angle + hinge_change;
         beyond = greater(Lanes{}, greater(link.lowest - angle, angle - link.highest));
     } else {
-        const Lanes w = greater(local.w, -local.w);
+        const auto& usual = link.usual;
+        const Lanes turn =
+            usual[0] * local.w + usual[1] * local.x + usual[2] * local.y + usual[3] * local.z;
+        const Lanes w = greater(turn, -turn);
         beyond = link.w_to_angle * greater(Lanes{}, link.least_w - w);
     }
     return kLimitCost * beyond * beyond;
@@ -402,6 +406,11 @@ void add_links(const BodyModel& model,
         made.highest = static_cast<float>(joint.highest);
         const double half = 0.5 * link.share * joint.highest;
         if (!joint.is_hinge && joint.highest < kFreeTurn) {
+            const glm::dquat usual = joint.usual;
+            made.usual = {static_cast<float>(usual.w),
+                          static_cast<float>(usual.x),
+                          static_cast<float>(usual.y),
+                          static_cast<float>(usual.z)};
             made.least_w = static_cast<float>(std::cos(half));
             made.w_to_angle = static_cast<float>(2.0 / (link.share * std::sin(half)));
         }

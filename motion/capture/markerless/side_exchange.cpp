@@ -20,7 +20,7 @@ constexpr double kMostMiss = 16.0;       // of a squared distance, in errors
 constexpr double kUsualStep = 2.0;       // of a joint from frame to frame, errors
 // Of a change from one frame to the next: single frames in which limbs cover one another are none.
 constexpr double kChangeCost = 4.0;
-constexpr double kExchangeCost = 1.0;    // of an exchanged frame
+constexpr double kExchangeCost = 1.0;  // of an exchanged frame
 
 constexpr std::array<BodyPoint, 5> kLeftArm = {BodyPoint::left_shoulder,
                                                BodyPoint::left_elbow,

@@ -36,10 +36,11 @@ enum class Doubt : std::uint8_t {
     length,     ///< its distance to a marker of the same bone is off
     exchanged,  ///< it may have changed places with another marker
     residual,   ///< its views do not agree, or agree on a jump
+    unsure,     ///< the angle of its joint is known to 20 degrees at best, by angles
 };
 /// Names of the doubts, as files have them, by Doubt.
 inline constexpr std::string_view kDoubtNames[] = {
-    "lost", "filled", "length", "exchanged", "residual"};
+    "lost", "filled", "length", "exchanged", "residual", "unsure"};
 
 /// A stretch of a track that a person should look at.
 struct Flag {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "motion/choreography/joint_limits.hpp"
@@ -17,6 +18,8 @@ using motion::Side;
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kFree = 1e3;  // radians: no limit, no usual turn
+// Of an upper arm from where it is usually: in salsa it turns by up to 157 degrees.
+constexpr double kShoulderLimit = 160.0 * kDegree;
 
 // Accelerations of joints in danced salsa, radians / s^2 at 60 frames a second: what the motion
 // prior allows. Root mean squares of takes at 164 BPM are some half of these.
@@ -104,6 +107,17 @@ BodyModel::BodyModel(BodyKind kind) {
     for (const Side side : motion::kSides) {
         add_side(kind, side);
     }
+    find_parts_of_bones();
+}
+
+BodyModel::BodyModel(std::vector<TurningJoint> joints) {
+    for (TurningJoint& joint : joints) {
+        add(std::move(joint));
+    }
+    find_parts_of_bones();
+}
+
+void BodyModel::find_parts_of_bones() {
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         own_parts_[index_of(parts_[part].bone)].push_back(part);
     }
@@ -165,7 +179,8 @@ void BodyModel::add_side(BodyKind kind, Side side) {
                  highest_of("left collarbone"),
                  kTrunkAcceleration));
     }
-    TurningJoint arm = ball({bone(Bone::left_upper_arm)}, glm::dvec3(1.2), kFree, kArmAcceleration);
+    TurningJoint arm =
+        ball({bone(Bone::left_upper_arm)}, glm::dvec3(1.2), kShoulderLimit, kArmAcceleration);
     arm.usual = turned_by({0.0, 0.0, -0.9 * out});  // half-way down
     add(arm);
     // In the T-pose the elbow brings the hand forward, the knee the heel back.
@@ -208,6 +223,17 @@ void BodyModel::add_side(BodyKind kind, Side side) {
                   30.0 * kDegree,
                   kFootAcceleration));
     }
+}
+
+std::size_t BodyModel::parent_of(std::size_t joint) const noexcept {
+    std::size_t before = 0;
+    for (const std::size_t part : moving_parts_[index_of(joints_[joint].bones[0])]) {
+        if (parts_[part].joint == joint) {
+            break;
+        }
+        before = parts_[part].joint;
+    }
+    return before;
 }
 
 BodyState BodyModel::usual_state(const BodyShape& shape) const {
@@ -300,6 +326,25 @@ glm::dvec3 BodyModel::turn_of(const BodyState& state, std::size_t joint) const {
         return {state.angles[joint], 0.0, 0.0};
     }
     return static_cast<double>(joints_[joint].count) * turn_vector(state.turns[joint]);
+}
+
+double BodyModel::from_usual(const BodyState& state, std::size_t joint) const {
+    const TurningJoint& turning = joints_[joint];
+    if (turning.is_hinge) {
+        return state.angles[joint];
+    }
+    return turning.count == 1
+               ? glm::length(turn_vector(glm::conjugate(turning.usual) * state.turns[joint]))
+               : glm::length(turn_of(state, joint));
+}
+
+BodyModel BodyModel::without_limits() const {
+    BodyModel model = *this;
+    for (TurningJoint& joint : model.joints_) {
+        joint.lowest = -kFree;
+        joint.highest = kFree;
+    }
+    return model;
 }
 
 motion::Pose BodyModel::pose_of(const BodyState& state) const {

@@ -36,7 +36,7 @@ struct TurningJoint {
     /// Standard deviation from the usual turn by axis (a hinge's: x); radians.
     glm::dvec3 deviation{};
     double lowest = 0.0;   ///< of a hinge's angle; radians
-    double highest = 0.0;  ///< of a hinge's angle, or of the whole turn; radians
+    double highest = 0.0;  ///< of a hinge's angle, or of the whole turn from `usual`; radians
     /// Standard deviation of the angular acceleration at 60 frames a second; radians / s^2.
     double acceleration = 0.0;
     std::size_t first = 0;  ///< its first variable
@@ -114,6 +114,9 @@ class BodyModel {
 
     /// The model of a kind.
     explicit BodyModel(BodyKind kind);
+    /// A model of these joints: that of the hips first, parents before what hangs on them (of one
+    /// bone, too), each but for its variables. read_body_model checks that they are a body.
+    explicit BodyModel(std::vector<TurningJoint> joints);
 
     /// Its joints, the hips' turn first.
     [[nodiscard]] const std::vector<TurningJoint>& joints() const noexcept { return joints_; }
@@ -121,6 +124,9 @@ class BodyModel {
     [[nodiscard]] std::size_t variables() const noexcept { return variables_; }
     /// Its parts, the hips first; those of a bone in the order in which they turn.
     [[nodiscard]] const std::vector<Part>& parts() const noexcept { return parts_; }
+
+    /// The joint that a joint hangs on; of the first itself.
+    [[nodiscard]] std::size_t parent_of(std::size_t joint) const noexcept;
 
     /// Standing, facing +z, each joint as usual.
     [[nodiscard]] BodyState usual_state(const BodyShape& shape) const;
@@ -134,6 +140,11 @@ class BodyModel {
                                         const glm::dvec3& point) const;
     /// The turn of all bones of a joint together, as a vector (a hinge's: x); radians.
     [[nodiscard]] glm::dvec3 turn_of(const BodyState& state, std::size_t joint) const;
+    /// How far a joint is turned: a hinge's angle, of others the whole turn from the usual one;
+    /// radians.
+    [[nodiscard]] double from_usual(const BodyState& state, std::size_t joint) const;
+    /// The same joints without limits.
+    [[nodiscard]] BodyModel without_limits() const;
     /// The turn of one bone of a joint.
     [[nodiscard]] glm::dquat local_turn(const BodyState& state, std::size_t joint) const;
     /// The state as a pose of the humanoid.
@@ -143,6 +154,7 @@ class BodyModel {
 
  private:
     void add(TurningJoint joint);
+    void find_parts_of_bones();
     [[nodiscard]] bool has_joint(std::string_view name) const noexcept;
     void add_trunk(BodyKind kind);
     void add_side(BodyKind kind, motion::Side side);

@@ -74,7 +74,7 @@ BodyShape shape_of(const BodySize& size, const MarkerSet& markers) {
     BodyShape shape;
     for (std::size_t i = 0; i < shape.offsets.size(); ++i) {
         shape.offsets[i] =
-            size.factor(part_before(static_cast<Bone>(i))) * glm::dvec3(mannequin.offsets[i]);
+            size.bone_factor(static_cast<Bone>(i)) * glm::dvec3(mannequin.offsets[i]);
     }
     const double foot = size.factor(BodyPart::foot);
     shape.sole = {
@@ -96,7 +96,8 @@ motion::Skeleton skeleton_of(const BodySize& size) {
         motion::scaled(motion::mannequin_skeleton(), static_cast<float>(size.whole));
     for (std::size_t i = 1; i < skeleton.offsets.size(); ++i) {
         const BodyPart part = part_before(static_cast<Bone>(i));
-        skeleton.offsets[i] *= static_cast<float>(size.parts[static_cast<std::size_t>(part)]);
+        skeleton.offsets[i] *=
+            static_cast<float>(size.parts[static_cast<std::size_t>(part)] * size.bones[i]);
     }
     const auto foot = static_cast<float>(size.parts[static_cast<std::size_t>(BodyPart::foot)]);
     for (glm::vec3* point : {&skeleton.ball, &skeleton.toe_tip, &skeleton.heel}) {

@@ -43,11 +43,27 @@ struct BodySize {
     double whole = 1.0;  ///< height / the mannequin's
     std::array<double, kBodyParts> parts = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     ///< by BodyPart: length / that of the mannequin as tall
+    /// By bone: distance of its joint from its parent's / what the parts make of it. 1: as they do.
+    std::array<double, motion::kBoneCount> bones = filled_with_ones();
     std::vector<glm::dvec3> marker_shifts;  ///< by marker, in the bone's frame, metres
 
     /// Length of a bone or place on it / the mannequin's.
     [[nodiscard]] double factor(BodyPart part) const noexcept {
         return whole * parts[static_cast<std::size_t>(part)];
+    }
+
+    /// How far a bone's joint is from its parent's / in the mannequin.
+    [[nodiscard]] double bone_factor(motion::Bone bone) const noexcept {
+        return factor(part_before(bone)) * bones[motion::index_of(bone)];
+    }
+
+ private:
+    static constexpr std::array<double, motion::kBoneCount> filled_with_ones() noexcept {
+        std::array<double, motion::kBoneCount> ones{};
+        for (double& one : ones) {
+            one = 1.0;
+        }
+        return ones;
     }
 };
 

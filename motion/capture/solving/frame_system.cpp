@@ -80,10 +80,9 @@ double add_ball(const TurningJoint& joint,
             from_usual[axis],
             usual / (deviation * deviation));
     }
-    const glm::dvec3 whole = count * turn_vector(turn);
-    const double angle = glm::length(whole);
+    const double angle = glm::length(from_usual);
     if (angle > joint.highest) {
-        add(whole / angle, angle - joint.highest, 1.0 / (kLimitDeviation * kLimitDeviation));
+        add(from_usual / angle, angle - joint.highest, 1.0 / (kLimitDeviation * kLimitDeviation));
     }
     return cost;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 
 #include "motion/capture/solving/frame_fit.hpp"
 #include "motion/skeleton/humanoid.hpp"
@@ -17,9 +18,13 @@ using motion::Side;
 
 constexpr int kRounds = 8;
 constexpr double kSteady = 100.0;  // 1 / (0.1)^2: no step of a posture beyond some 0.1
-constexpr std::size_t kWhole = 0;  // parameters: whole, parts, then three of each marker
+// Parameters: whole, parts, then three of each marker, then single bones where these are fitted.
+constexpr std::size_t kWhole = 0;
 constexpr std::size_t kFirstPart = 1;
 constexpr std::size_t kFirstMarker = kFirstPart + kBodyParts;
+// A model is never quite the body.
+constexpr double kModelErrorMetres = 0.01;
+constexpr double kRepeatedErrorFactor = 1.5;
 
 /// How a point moves with the parameters of the size.
 struct SizeMotion {
@@ -39,7 +44,9 @@ struct SizeMotion {
 };
 
 /// Of a point of a bone at `arm` (world axes) from the bone's joint, which grows with the bone.
-SizeMotion size_motion(const BodyShape& shape,
+/// `first_bone`: parameter of the first single bone; none: they are not fitted.
+SizeMotion size_motion(std::optional<std::size_t> first_bone,
+                       const BodyShape& shape,
                        const PlacedBody& body,
                        Bone bone,
                        const glm::dvec3& arm) {
@@ -50,8 +57,11 @@ SizeMotion size_motion(const BodyShape& shape,
     };
     grows(part_of(bone), arm);
     for (std::size_t i = index_of(bone); i != 0; i = motion::kBoneParents[i]) {
-        grows(part_before(static_cast<Bone>(i)),
-              body.frames[motion::kBoneParents[i]] * shape.offsets[i]);
+        const glm::dvec3 bone_before = body.frames[motion::kBoneParents[i]] * shape.offsets[i];
+        grows(part_before(static_cast<Bone>(i)), bone_before);
+        if (first_bone) {
+            motion.add(*first_bone + i, bone_before);
+        }
     }
     return motion;
 }
@@ -122,6 +132,7 @@ void add_frame(const FrameContext& context,
                const BodySize& size,
                const BodyState& state,
                const FrameSight& sight,
+               std::optional<std::size_t> first_bone,
                FrameSystem& frame,
                SizeSystem& system) {
     const BodyModel& model = context.model;
@@ -135,7 +146,7 @@ void add_frame(const FrameContext& context,
         const glm::dvec3 point = body.places[index_of(bone)] + arm;
         const glm::dvec3 difference = point - seen.place;
         const glm::dvec3 shift = body.frames[index_of(bone)] * size.marker_shifts[seen.marker];
-        SizeMotion moves = size_motion(shape, body, bone, arm - shift);
+        SizeMotion moves = size_motion(first_bone, shape, body, bone, arm - shift);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             moves.add(kFirstMarker + 3 * seen.marker + static_cast<std::size_t>(axis),
                       body.frames[index_of(bone)][axis]);
@@ -154,7 +165,7 @@ void add_frame(const FrameContext& context,
                 sole_weight(sight.planted[static_cast<std::size_t>(side)][i], point.y);
             if (weight > 0.0) {
                 system.add(model.motion_of(body, bone, point),
-                           size_motion(shape, body, bone, arm),
+                           size_motion(first_bone, shape, body, bone, arm),
                            {0.0, point.y, 0.0},
                            {0.0, weight, 0.0});
             }
@@ -163,7 +174,11 @@ void add_frame(const FrameContext& context,
     system.eliminate(frame);
 }
 
-void add_prior(const SizePrior& prior, const BodySize& size, SizeSystem& system) {
+void add_prior(const SizePrior& prior,
+               const BodySize& size,
+               const std::array<double, motion::kBoneCount>& usual_bones,
+               std::optional<std::size_t> first_bone,
+               SizeSystem& system) {
     const auto add = [&](std::size_t parameter, double from_usual, double deviation) {
         const auto at = static_cast<Eigen::Index>(parameter);
         const double weight = 1.0 / (deviation * deviation);
@@ -174,6 +189,9 @@ void add_prior(const SizePrior& prior, const BodySize& size, SizeSystem& system)
     for (std::size_t i = 0; i < kBodyParts; ++i) {
         add(kFirstPart + i, std::log(size.parts[i]), prior.part_deviation);
     }
+    for (std::size_t i = 0; first_bone && i < usual_bones.size(); ++i) {
+        add(*first_bone + i, std::log(size.bones[i] / usual_bones[i]), prior.bone_deviation);
+    }
     for (std::size_t i = 0; i < size.marker_shifts.size(); ++i) {
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             add(kFirstMarker + 3 * i + static_cast<std::size_t>(axis),
@@ -183,13 +201,16 @@ void add_prior(const SizePrior& prior, const BodySize& size, SizeSystem& system)
     }
 }
 
-void move_size(const Eigen::VectorXd& step, BodySize& size) {
+void move_size(const Eigen::VectorXd& step, std::optional<std::size_t> first_bone, BodySize& size) {
     const auto at = [&step](std::size_t parameter) {
         return step(static_cast<Eigen::Index>(parameter));
     };
     size.whole *= std::exp(at(kWhole));
     for (std::size_t i = 0; i < kBodyParts; ++i) {
         size.parts[i] *= std::exp(at(kFirstPart + i));
+    }
+    for (std::size_t i = 0; first_bone && i < size.bones.size(); ++i) {
+        size.bones[i] *= std::exp(at(*first_bone + i));
     }
     for (std::size_t i = 0; i < size.marker_shifts.size(); ++i) {
         for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -200,6 +221,13 @@ void move_size(const Eigen::VectorXd& step, BodySize& size) {
 }
 
 }  // namespace
+
+FrameSight sight_for_size(FrameSight sight) {
+    for (SeenMarker& seen : sight.markers) {
+        seen.deviation = kRepeatedErrorFactor * std::hypot(seen.deviation, kModelErrorMetres);
+    }
+    return sight;
+}
 
 double guess_size(const BodyModel& model,
                   const MarkerSet& markers,
@@ -233,25 +261,31 @@ BodySize fit_size(const BodyModel& model,
                   BodySize size,
                   std::vector<BodyState>& states) {
     size.marker_shifts.resize(markers.markers.size());
+    const auto usual_bones = size.bones;
     std::vector<Bone> bones;
     for (const Marker& marker : markers.markers) {
         bones.push_back(marker.bone);
     }
-    const std::size_t parameters = kFirstMarker + 3 * markers.markers.size();
+    std::size_t parameters = kFirstMarker + 3 * markers.markers.size();
+    std::optional<std::size_t> first_bone;
+    if (prior.bone_deviation > 0.0) {
+        first_bone = parameters;
+        parameters += motion::kBoneCount;
+    }
     FrameSystem frame;
     for (int round = 0; round < kRounds; ++round) {
         const BodyShape shape = shape_of(size, markers);
         const FrameContext context{model, bones, shape, weights};
         SizeSystem system(model.variables(), parameters);
         for (std::size_t i = 0; i < sights.size(); ++i) {
-            add_frame(context, size, states[i], sights[i], frame, system);
+            add_frame(context, size, states[i], sights[i], first_bone, frame, system);
         }
-        add_prior(prior, size, system);
+        add_prior(prior, size, usual_bones, first_bone, system);
         const Eigen::VectorXd step = system.matrix.ldlt().solve(-system.gradient);
         if (!step.allFinite()) {
             break;
         }
-        move_size(step, size);
+        move_size(step, first_bone, size);
         for (std::size_t i = 0; i < states.size(); ++i) {
             const Eigen::VectorXd change = system.posture_step(i, step);
             states[i] = model.moved(states[i], change.data());

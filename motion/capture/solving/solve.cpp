@@ -36,11 +36,6 @@ constexpr double kUsualPostureWeightInSmoothing = 0.05;
 constexpr double kWrongScaleFactor = 1.2;
 // The size of the body is fitted to so many frames.
 constexpr std::size_t kSizeFrames = 80;
-// A model is never quite the body. So every marker may lie so much farther off, in metres, and its
-// deviation grows by this factor, because the next frames repeat the same error. Without both,
-// lengths of which a dance hardly shows anything stray far from what is usual.
-constexpr double kModelErrorMetres = 0.01;
-constexpr double kRepeatedErrorFactor = 1.5;
 // A marker that lies this far off counts half, metres: before the size of the body is known, and
 // after.
 constexpr double kOutlierMetresBeforeSize = 0.15;
@@ -220,10 +215,7 @@ void DanceSolver::fit_size_to(std::size_t most_frames) {
     std::vector<FrameSight> sights;
     std::vector<BodyState> states;
     for (const std::size_t frame : size_frames(most_frames)) {
-        sights.push_back(sights_[frame]);
-        for (SeenMarker& seen : sights.back().markers) {
-            seen.deviation = kRepeatedErrorFactor * std::hypot(seen.deviation, kModelErrorMetres);
-        }
+        sights.push_back(sight_for_size(sights_[frame]));
         states.push_back(states_[frame]);
     }
     FrameWeights weights = weights_;

@@ -21,7 +21,7 @@ namespace raks::capture {
 /// How a dance is solved.
 struct SolveOptions {
     std::optional<double> height{};             ///< of the dancer, metres; none: from the markers
-    BodyKind body = BodyKind::dance;            ///< which joints move
+    BodyModel body{BodyKind::dance};            ///< which joints move
     std::optional<double> frames_per_second{};  ///< of the poses; none: the tracks'
     /// How far markers sit from where the set has them: standard deviation along each axis, metres.
     double marker_deviation = 0.015;

@@ -209,21 +209,36 @@ class NameMapper {
     void map_arm(Side side) {
         int shoulder = best(BodyPart::shoulder, side);
         const int collar_bone = best(BodyPart::collar_bone, side);
-        const std::vector<Candidate> plain = named(BodyPart::arm, side);
+        std::vector<Candidate> plain = named(BodyPart::arm, side);
+        // What a hand carries is no part of its arm: a weapon has such a name in some languages.
+        std::erase_if(plain, [&](const Candidate& one) { return is_carried(one.node, side); });
         int upper = best(BodyPart::upper_arm, side);
         if (upper < 0 && plain.empty()) {  // shoulder, elbow, wrist; or collar, shoulder, ...
             upper = last_below(BodyPart::shoulder, side, shoulder);
             shoulder = upper == shoulder ? -1 : shoulder;
         }
         shoulder = collar_bone >= 0 ? collar_bone : shoulder;
-        const Limb found = limb(upper, -1, best_lower(BodyPart::lower_arm, side, upper), plain);
-        const int hand = best_below(BodyPart::hand, side, found.lower);
+        Limb found = limb(upper, -1, best_lower(BodyPart::lower_arm, side, upper), plain);
+        int hand = best_below(BodyPart::hand, side, found.lower);
+        // An arm of two joints: the one that is called the hand turns the forearm with it.
+        if (found.upper >= 0 && found.lower < 0 && hand >= 0 && tree_.is_below(hand, found.upper) &&
+            tree_.depth(hand) == tree_.depth(found.upper) + 1) {
+            found.lower = std::exchange(hand, -1);
+        }
         if (shoulder >= 0 && found.upper >= 0 && tree_.is_below(found.upper, shoulder)) {
             set(on_side(Bone::left_shoulder, side), shoulder);
         }
         set(on_side(Bone::left_upper_arm, side), found.upper);
         set(on_side(Bone::left_lower_arm, side), found.lower);
         set(on_side(Bone::left_hand, side), hand >= 0 ? hand : found.end);
+    }
+
+    /// Whether a node hangs on a hand.
+    bool is_carried(int node, Side side) const {
+        const std::vector<Candidate> hands = named(BodyPart::hand, side);
+        return std::any_of(hands.begin(), hands.end(), [&](const Candidate& hand) {
+            return hand.words.doubt < kRather && tree_.is_below(node, hand.node);
+        });
     }
 
     bool carries(int node, int other) const {

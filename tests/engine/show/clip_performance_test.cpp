@@ -8,8 +8,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "base/pending_file.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "tests/motion/skeleton/formats/vmd_maker.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
 namespace {
@@ -93,6 +97,30 @@ TEST_F(ClipPerformanceTest, stands_where_the_clip_begins_before_and_after_it_and
     EXPECT_LT(most, 0.03F);
     const glm::vec3 first = clip_->pose_at(0.0).hips_position;
     EXPECT_LT(std::hypot(before.x - first.x + 1.0F, before.z - first.z), 0.06F);
+}
+
+TEST_F(ClipPerformanceTest, its_camera_goes_by_the_clip_and_stops_with_it) {
+    const test::TemporaryFolder folder;
+    test::VmdMaker maker;
+    maker.count(0).count(0).count(2).camera(0, -45, {0, 10, 0}, {0, 0, 0}, 30);
+    maker.camera(30, -25, {0, 10, 0}, {0, 0, 0}, 30);
+    ASSERT_TRUE(write_file(folder / "x.vmd", maker.bytes()));
+    auto camera = CameraMotion::load(folder / "x.vmd");
+    ASSERT_TRUE(camera) << camera.error().message;
+    const CameraMotion file = *camera;
+    begin({.sync = ClipSync::song, .loop = ClipLoop::never, .offset = 1.0});
+    performance_->set_camera(std::move(*camera));
+    performance_->follow_song(0.0);
+    (void)hips_at(0.5);
+    EXPECT_FALSE(performance_->camera(1.0F));
+    for (const double in_clip : {0.2, 0.6}) {
+        (void)hips_at(1.0 + in_clip);
+        const auto seen = performance_->camera(1.0F);
+        ASSERT_TRUE(seen);
+        EXPECT_NEAR(seen->distance, file.at(in_clip).distance, 1e-3F);
+    }
+    (void)hips_at(1.0 + clip_->duration() + 1.0);
+    EXPECT_FALSE(performance_->camera(1.0F));
 }
 
 TEST_F(ClipPerformanceTest, has_poses_behind_it_for_what_swings) {

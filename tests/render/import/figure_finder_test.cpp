@@ -251,6 +251,58 @@ TEST(FigureFinder, what_the_picture_contradicts_is_doubtful_and_said) {
         model, "its left arm is doubtful: \"leftUpperArm\" (leftUpperArm) lies inside the chest"));
 }
 
+TEST(FigureFinder, goals_for_feet_say_nothing_of_sides_and_are_doubtful) {
+    // Legs of two joints; what is called a foot is a rig's goal behind the figure, with flesh that
+    // points back.
+    Model model;
+    const int root = raks::test::add_node(model, "root", -1);
+    const Model whole = raks::test::figure_of_joints();
+    for (const ModelNode& node : whole.nodes) {
+        if (node.name.find("Toes") != std::string::npos) {
+            continue;
+        }
+        const bool is_foot = node.name.find("Foot") != std::string::npos;
+        const float side = node.name.rfind("left", 0) == 0 ? 1.0F : -1.0F;
+        const int parent =
+            node.parent < 0 || is_foot
+                ? root
+                : raks::test::node_named(model,
+                                         whole.nodes[static_cast<std::size_t>(node.parent)].name);
+        raks::test::add_node(model,
+                             node.name,
+                             parent,
+                             is_foot ? glm::vec3(0.1F * side, 0.05F, -0.6F) : node.translation);
+    }
+    auto flesh = raks::test::flesh_of_figure(model);
+    for (const char* const foot : {"leftFoot", "rightFoot"}) {
+        flesh[static_cast<std::size_t>(raks::test::node_named(model, foot))] = {0, 0, -0.2F};
+    }
+    raks::test::add_skin(model, flesh);
+    const auto mapped = map_humanoid(model);
+    ASSERT_TRUE(mapped) << mapped.error().message;
+    EXPECT_EQ(found(model, Bone::left_upper_leg), "leftUpperLeg");
+    EXPECT_FALSE(warns(model, "named the wrong way round"));
+    EXPECT_LT(model.character.humanoid.confidence[motion::index_of(Bone::left_foot)], 0.7F);
+}
+
+TEST(FigureFinder, what_a_hand_carries_is_no_forearm) {
+    // French: arm, hand, weapon.
+    Model model = raks::test::figure_of_joints();
+    for (const auto& [side, word] : {std::pair("left", "gauche"), std::pair("right", "droite")}) {
+        for (const auto& [part, name] : {std::pair("UpperArm", "bras "),
+                                         std::pair("LowerArm", "main "),
+                                         std::pair("Hand", "arme ")}) {
+            const int node = raks::test::node_named(model, std::string(side) + part);
+            model.nodes[static_cast<std::size_t>(node)].name = std::string(name) + word;
+        }
+    }
+    const auto mapped = map_humanoid(model);
+    ASSERT_TRUE(mapped) << mapped.error().message;
+    EXPECT_EQ(found(model, Bone::left_upper_arm), "bras gauche");
+    EXPECT_EQ(found(model, Bone::left_lower_arm), "main gauche");
+    EXPECT_EQ(found(model, Bone::right_lower_arm), "main droite");
+}
+
 /// A clip that bends the left elbow and turns the trunk.
 void add_clip(Model& model) {
     ModelAnimation& clip = model.animations.emplace_back();

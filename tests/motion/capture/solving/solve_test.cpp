@@ -210,7 +210,7 @@ TEST(Solve, gives_the_rate_that_was_asked_for) {
 
 TEST(Solve, of_the_papers_body_moves_only_its_joints) {
     const TrueDance truth = measured("rock", 0, {});
-    const auto solved = solve(truth.tracks, truth.markers, {.body = BodyKind::paper});
+    const auto solved = solve(truth.tracks, truth.markers, {.body = BodyModel(BodyKind::paper)});
     ASSERT_TRUE(solved) << solved.error().message;
     for (const Pose& pose : solved->poses) {
         EXPECT_EQ(pose.rotation(motion::Bone::chest), motion::kNoRotation);
