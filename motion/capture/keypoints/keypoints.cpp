@@ -30,7 +30,7 @@ constexpr double kFarthestKeypoint = 1e5;  // pixels
 constexpr double kLatestPicture = 86400.0;
 constexpr int kLargestPicture = 16384;
 constexpr double kMostPeople = 100.0;
-constexpr double kMostPictures = 1e8;
+constexpr double kLastPicture = 1e8;
 
 std::string head_of_keypoints() {
     std::string head = "picture,time,score,people";
@@ -113,7 +113,7 @@ Expected<KeypointPicture> read_picture(const std::vector<std::string_view>& cell
     if (cells.size() != kKeypointColumns) {
         return fail(fmt::format("has {} cells, needs {}", cells.size(), kKeypointColumns));
     }
-    const auto number = number_within(cells[0], "picture", 0.0, kMostPictures);
+    const auto number = number_within(cells[0], "picture", 0.0, kLastPicture);
     const auto time = number_within(cells[1], "time", -kLatestPicture, kLatestPicture);
     const auto score = number_within(cells[2], "score", 0.0, 1.0);
     const auto people = cells[3].empty() ? Expected<double>(0.0)

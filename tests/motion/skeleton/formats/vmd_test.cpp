@@ -76,7 +76,7 @@ std::vector<double> distances(const EvaluatedFigure& figure, MmdLegs legs) {
 
 // The promise of the round trip: mean 5 mm, 99 of 100 within 15 mm.
 TEST(Vmd, a_dance_comes_back_as_it_was_written) {
-    for (const auto& file : test::written_dances()) {
+    for (const auto& file : raks::test::written_dances()) {
         const EvaluatedFigure figure = danced(file);
         for (const MmdLegs legs : {MmdLegs::ik, MmdLegs::fk}) {
             const std::vector<double> far = distances(figure, legs);
@@ -386,7 +386,7 @@ TEST(Vmd, damaged_files_are_refused_with_what_is_wrong) {
 }
 
 TEST(Vmd, a_long_dance_keeps_to_the_keys_that_mikumikudance_holds) {
-    const EvaluatedFigure figure = danced(test::written_dances().front());
+    const EvaluatedFigure figure = danced(raks::test::written_dances().front());
     const std::vector<Pose>& poses = figure.poses;
     const auto fine = vmd_bytes(mannequin_skeleton(), poses, 60.0);
     ASSERT_TRUE(fine);
