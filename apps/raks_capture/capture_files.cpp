@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/suggest.hpp"
 #include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/solving/body_file.hpp"
@@ -107,6 +109,10 @@ Expected<capture::BodyModel> load_body(const CapturePlan& plan, const std::strin
     if (body == "dance" || body == "paper") {
         return capture::BodyModel(body == "paper" ? capture::BodyKind::paper
                                                   : capture::BodyKind::dance);
+    }
+    if (!body.ends_with(".toml")) {
+        constexpr std::array<std::string_view, 2> kBodies = {"dance", "paper"};
+        return fail(unknown_name("body", body, kBodies) + ", or name a file of joints, X.toml");
     }
     constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
     const std::filesystem::path file = told.empty() ? plan.file(body) : std::filesystem::path(told);
