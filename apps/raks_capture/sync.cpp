@@ -93,6 +93,14 @@ void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
             if (!camera.clock && clock.camera == camera.camera) {
                 camera.clock = clock;
                 camera.through = "motion";
+                // What its sound does not tell is no trouble any more.
+                auto& warnings = result.warnings;
+                warnings.erase(std::remove_if(warnings.begin(),
+                                              warnings.end(),
+                                              [&camera](const std::string& line) {
+                                                  return line.rfind(camera.camera + ": ", 0) == 0;
+                                              }),
+                               warnings.end());
             }
         }
     }

@@ -274,8 +274,11 @@ class ClockSearch {
         Clock& clock = found_.clocks[camera];
         // Drift turns about the middle of the take: there the clock moves by the shift alone.
         const double camera_middle = clock.camera_time(middle_);
-        clock.drift_ppm += 1e6 * drift;
-        clock.offset += shift - drift * camera_middle;
+        clock.offset += shift;
+        if (options_.fits_drift) {
+            clock.drift_ppm += 1e6 * drift;
+            clock.offset -= drift * camera_middle;
+        }
     }
 
     const Rig& rig_;
@@ -339,24 +342,30 @@ UpwardSpeeds upward_speeds(const KeypointFilm& film) {
     return speeds;
 }
 
-// Correlation of two films when `other` is `lag` samples later; [-1, 1].
+double energy_of(const UpwardSpeeds& speeds) {
+    double squares = 1e-9;
+    for (const auto& joint : speeds.joints) {
+        for (const double speed : joint) {
+            squares += speed * speed;
+        }
+    }
+    return squares;
+}
+
+// Correlation of two films when `other` is `lag` samples later; [-1, 1]. What they do not share
+// counts against a lag: else a figure that is repeated is found again where the films hardly meet.
 double correlation(const UpwardSpeeds& one, const UpwardSpeeds& other, std::ptrdiff_t lag) {
     double product = 0.0;
-    double squares_one = 1e-9;
-    double squares_other = 1e-9;
     const auto count = static_cast<std::ptrdiff_t>(one.count);
     for (std::size_t joint = 0; joint < kMainPoints.size(); ++joint) {
         for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, lag);
              i < std::min(count, static_cast<std::ptrdiff_t>(other.count) + lag);
              ++i) {
-            const double a = one.joints[joint][static_cast<std::size_t>(i)];
-            const double b = other.joints[joint][static_cast<std::size_t>(i - lag)];
-            product += a * b;
-            squares_one += a * a;
-            squares_other += b * b;
+            product += one.joints[joint][static_cast<std::size_t>(i)] *
+                       other.joints[joint][static_cast<std::size_t>(i - lag)];
         }
     }
-    return product / std::sqrt(squares_one * squares_other);
+    return product;
 }
 
 // The clock of `other` against `one`; confidence 0: none.
@@ -370,9 +379,10 @@ Clock rough_clock(const UpwardSpeeds& one,
     const auto most = static_cast<std::ptrdiff_t>(std::min(within, 86400.0) * kRoughRate);
     const std::ptrdiff_t from = std::max(-most, least - static_cast<std::ptrdiff_t>(other.count));
     const std::ptrdiff_t to = std::min(most, static_cast<std::ptrdiff_t>(one.count) - least);
+    const double energy = std::sqrt(energy_of(one) * energy_of(other));
     std::vector<double> all;
     for (std::ptrdiff_t lag = from; lag <= to; ++lag) {
-        all.push_back(correlation(one, other, lag));
+        all.push_back(correlation(one, other, lag) / energy);
     }
     Clock clock{camera, 0.0, 0.0, 0.0};
     if (all.size() < 3) {

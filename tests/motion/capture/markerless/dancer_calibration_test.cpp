@@ -76,7 +76,7 @@ std::vector<double> errors_of(const KeypointTake& take) {
 }
 
 TEST(DancerCalibration, two_cameras_and_a_height_give_the_dance) {
-    const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 12.0);
+    const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 8.0);
     const auto done =
         calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, false), kMannequinHeight);
     ASSERT_TRUE(done) << done.error().message;
@@ -89,12 +89,12 @@ TEST(DancerCalibration, two_cameras_and_a_height_give_the_dance) {
     const Tracks tracks = keypoint_tracks(done->rig, scene.take, errors_of(scene.take));
     SolveOptions options;
     options.height = kMannequinHeight;
-    options.frames_per_second = 60.0;
+    options.frames_per_second = 30.0;
     options.marker_deviation = 0.03;
     const auto solved = solve(tracks, keypoint_markers(), options);
     ASSERT_TRUE(solved) << solved.error().message;
     const auto is = motion::body_track(scene.dance.skeleton, scene.dance.poses, 60.0);
-    auto got = motion::body_track(solved->skeleton, solved->poses, 60.0);
+    auto got = motion::body_track(solved->skeleton, solved->poses, 30.0);
     const auto aligned = motion::align_motion(is, got);
     ASSERT_TRUE(aligned);
     EXPECT_NEAR(aligned->scale, 1.0, 0.05);
