@@ -203,7 +203,7 @@ ExitCode run_capture(const RunArguments& arguments) {
         exit_code = std::max(exit_code, *ended);
     }
     if (is_there(plan->file("dance.bvh"))) {
-        const ExitCode said = say_what_is_next(*plan);
+        ExitCode said = say_what_is_next(*plan);
         if (!said) {
             return said;
         }

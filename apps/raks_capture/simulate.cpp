@@ -362,7 +362,7 @@ Expected<capture::StudioOptions> studio_options(const SimulateArguments& argumen
     const auto rates = by_camera(arguments.rates, "--rate", 1.0, 1000.0, rig);
     auto bumps = by_camera(arguments.bumps, "--bump", 0.0, 86400.0, rig);
     if (!rates || !bumps) {
-        return fail(rates ? std::move(bumps.error()) : rates.error());
+        return fail(rates ? bumps.error() : rates.error());
     }
     capture::StudioOptions options = arguments.studio;
     options.first_clock_is_true = !arguments.points;

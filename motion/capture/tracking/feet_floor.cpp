@@ -145,6 +145,7 @@ Eigen::Vector3d floor_under(const std::vector<Stood>& stood, const glm::dvec3& m
     constexpr double kNoise = 0.015;  // metres
     constexpr double kSlope = 0.05;   // 3 degrees
     std::vector<double> floors;
+    floors.reserve(stood.size());
     for (const Stood& one : stood) {
         floors.push_back(one.place.y - one.over_sole);
     }
