@@ -81,12 +81,14 @@ void add_capture_commands(RaksCommands& table) {
         {"run", "do every step that is missing or older than what it is made from"},
         {"simulate", "film a known dance with simulated cameras"},
         {"board", "draw the board that calibrates the cameras, to print"},
-        {"calibrate", "find lenses and places of the cameras with a printed board"},
+        {"calibrate",
+         "find lenses and places of the cameras with a printed board, or by the dancer"},
+        {"keypoints", "find the joints of a dancer without markers, in all films"},
         {"sync", "find how the clocks of the films differ, by their sound"},
         {"label", "tell which marker is where, in the first pictures"},
         {"track", "follow the markers through all films"},
         {"correct", "look at the tracks and put them right, in a window"},
-        {"solve", "find the dancer's body and its dance in the tracks"},
+        {"solve", "find the dancer's body and its dance in the tracks, or in anybody's points"},
         {"report", "show what came of a capture, as a page"},
         {"compare", "how far two motions of the same dance are apart"}};
     CLI::App* capture = table.app().add_subcommand("capture", "get a dance from several films");

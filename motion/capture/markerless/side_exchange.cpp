@@ -20,7 +20,9 @@ constexpr double kMostMiss = 16.0;       // of a squared distance, in errors
 constexpr double kUsualStep = 2.0;       // of a joint from frame to frame, errors
 // Of a change from one frame to the next: single frames in which limbs cover one another are none.
 constexpr double kChangeCost = 4.0;
-constexpr double kExchangeCost = 1.0;  // of an exchanged frame
+// Of an exchanged frame: networks exchange the sides of less than one in a hundred, and feet that
+// stand at one height lie on one epipolar line, so that both ways fit alike.
+constexpr double kExchangeCost = 3.0;
 
 constexpr std::array<BodyPoint, 5> kLeftArm = {BodyPoint::left_shoulder,
                                                BodyPoint::left_elbow,

@@ -76,7 +76,7 @@ std::vector<double> errors_of(const KeypointTake& take) {
 }
 
 TEST(DancerCalibration, two_cameras_and_a_height_give_the_dance) {
-    const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 8.0);
+    const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 12.0);
     const auto done =
         calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, false), kMannequinHeight);
     ASSERT_TRUE(done) << done.error().message;
