@@ -13,7 +13,7 @@ namespace raks::capture {
 namespace {
 
 // What others call the joints of one side; behind it ours, without the side.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kOtherWords = {
+constexpr auto kOtherWords = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"bigtoe", "foot_index"},
      {"toe", "foot_index"},
      {"footindex", "foot_index"},
@@ -30,7 +30,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kOtherWo
      {"eye", "eye"},
      {"ear", "ear"},
      {"foot", "ankle"},
-     {"thumb", "thumb"}}};
+     {"thumb", "thumb"},
+     // "RHJC": the joint centres of laboratories of gait.
+     {"hjc", "hip"},
+     {"kjc", "knee"},
+     {"ajc", "ankle"},
+     {"sjc", "shoulder"},
+     {"ejc", "elbow"},
+     {"wjc", "wrist"}});
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_capital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
@@ -112,6 +119,11 @@ std::optional<BodyPoint> body_point_meant(std::string_view name, const PointName
     }
     if (rest == "nose") {
         return BodyPoint::nose;
+    }
+    // "RHJC" and "lwrist": the side is the first letter of the only word.
+    if (side.empty() && (rest.starts_with('l') || rest.starts_with('r'))) {
+        side = rest.front() == 'l' ? "left" : "right";
+        rest.erase(0, 1);
     }
     const auto found = std::find_if(kOtherWords.begin(), kOtherWords.end(), [&](const auto& word) {
         return word.first == rest;

@@ -156,6 +156,9 @@ TEST(PointNames, words_in_any_order_and_case) {
     EXPECT_EQ(body_point_meant("Right Eye Inner", none), BodyPoint::right_eye_inner);
     EXPECT_EQ(body_point_meant("KneeLeft", none), BodyPoint::left_knee);
     EXPECT_EQ(body_point_meant("LEFT_ANKLE", none), BodyPoint::left_ankle);
+    EXPECT_EQ(body_point_meant("RHJC", none), BodyPoint::right_hip);
+    EXPECT_EQ(body_point_meant("lwrist", none), BodyPoint::left_wrist);
+    EXPECT_FALSE(body_point_meant("RFAradius", none));
     EXPECT_FALSE(body_point_meant("Neck", none));
     EXPECT_FALSE(body_point_meant("wrist", none));
 }
