@@ -23,11 +23,17 @@ if [ ! -e "$folder/film/truth/dance.bvh" ]; then
 fi
 
 # What a person has: two films and the song.
-mkdir -p "$folder/mine"
-cp -n "$folder"/film/cam?.mp4 "$folder/song.wav" "$folder/mine/"
+mkdir -p "$folder/phones"
+cp -n "$folder"/film/cam?.mp4 "$folder/song.wav" "$folder/phones/"
 SECONDS=0
-"$raks" capture run "$folder/mine" --markerless --height 1.714 --music "$folder/mine/song.wav" | tee "$folder/next.txt" ||
-    [ "${PIPESTATUS[0]}" -eq 3 ]
+"$raks" capture run "$folder/phones" --markerless --height 1.714 --music "$folder/phones/song.wav" |
+    tee "$folder/next.txt" || [ "${PIPESTATUS[0]}" -eq 3 ]
 echo "== the whole run took $SECONDS s"
-"$raks" capture compare "$folder/film/truth/dance.bvh" "$folder/mine/dance.bvh" --align
-echo "== the line that learns it: $(tail -n 1 "$folder/next.txt")"
+# Where in the song it begins is where in the true dance it begins.
+offset=$(sed -n 's/.*--offset \(-\{0,1\}[0-9.]*\) -o .*/\1/p' "$folder/next.txt" | tail -n 1)
+"$raks" capture compare "$folder/film/truth/dance.bvh" "$folder/phones/dance.bvh" --align --shift "$offset"
+"$raks" stick "$folder/film/truth/dance.bvh" "$folder/phones/dance.bvh" --shift "$offset" --align rigid --side-by-side \
+    -o "$folder/pair.png"
+export XDG_DATA_HOME=$folder/home
+"$raks" train take "$folder/phones/dance.bvh" --music "$folder/phones/song.wav" --offset "$offset" -o filmed
+"$raks" dance "$folder/song.wav" --dance filmed -o "$folder/learnt.bvh"
