@@ -47,6 +47,9 @@ Usage usage_of_thread() noexcept {
 #else
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
+#ifdef RAKS_UNDER_SANITIZER
+    usage.ru_nvcsw = 0;  // the pages of its shadow come as they are touched, and that may wait
+#endif
     return {usage.ru_nvcsw, usage.ru_minflt + usage.ru_majflt};
 #endif
 }
