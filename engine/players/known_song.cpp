@@ -252,8 +252,8 @@ void KnownSong::Impl::take_wish(const Wish& asked) {
 
 void KnownSong::Impl::turn() {
     if (std::exchange(holes, heard.holes()) != heard.holes()) {
-        since = looked_at = 0;
         lose();
+        since = looked_at = 0;  // all that is kept came behind the hole
     }
     if (!finder) {
         return;

@@ -42,6 +42,19 @@ struct Step {
     std::size_t kind = 0;  // ankle, heel, toes
 };
 
+// How far along `up` the steps of one kind are.
+std::vector<double> heights_of(const std::vector<Step>& steps,
+                               std::size_t kind,
+                               const glm::dvec3& up) {
+    std::vector<double> heights;
+    for (const Step& step : steps) {
+        if (step.kind == kind) {
+            heights.push_back(glm::dot(step.place, up));
+        }
+    }
+    return heights;
+}
+
 class DancerSights {
  public:
     explicit DancerSights(const Tracks& tracks) : tracks_(tracks) {
@@ -156,12 +169,7 @@ glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean) {
             const auto weight_of = [&](double off) {
                 return 1.0 / (kStepDeviation * kStepDeviation + off * off);
             };
-            std::vector<double> heights;
-            for (const Step& step : steps) {
-                if (step.kind == kind) {
-                    heights.push_back(glm::dot(step.place, up));
-                }
-            }
+            const std::vector<double> heights = heights_of(steps, kind, up);
             if (heights.empty()) {
                 continue;
             }
@@ -206,12 +214,7 @@ double floor_height(const std::vector<Step>& steps,
     std::vector<double> floors;
     std::vector<double> misses;
     for (std::size_t kind = 0; kind < 3; ++kind) {
-        std::vector<double> heights;
-        for (const Step& step : steps) {
-            if (step.kind == kind) {
-                heights.push_back(glm::dot(step.place, up));
-            }
-        }
+        std::vector<double> heights = heights_of(steps, kind, up);
         if (heights.empty()) {
             continue;
         }
