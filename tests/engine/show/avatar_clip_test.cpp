@@ -11,6 +11,8 @@
 #include "tests/motion/skeleton/formats/vmd_maker.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace raks::engine {
 namespace {
 
@@ -45,6 +47,32 @@ TEST(AvatarClip, a_models_own_clip_moves_the_mannequin) {
     const motion::Pose first = clip->pose_at(0.0);
     const motion::Pose later = clip->pose_at(clip->duration() / 2.0);
     EXPECT_NE(first.local_rotations, later.local_rotations);
+}
+
+// Wherever hips rest and whatever stands around the figure.
+TEST(AvatarClip, a_models_own_clip_travels_from_where_its_hips_rest_as_far_as_the_model_is_large) {
+    const fs::path file = kModels / "RiggedFigure.glb";
+    const glm::vec3 rest(0.3F, 5.0F, -2.0F);
+    const auto travel = [&](float scale) {
+        AvatarClipOptions options;
+        options.avatar = file;
+        options.own_scale = scale;
+        const auto clip = AvatarClip::load(file.string(), rest, options);
+        EXPECT_TRUE(clip) << clip.error().message;
+        return clip->pose_at(clip->duration() / 3.0).hips_position - rest;
+    };
+    const glm::vec3 once = travel(1.0F);
+    EXPECT_GT(glm::length(once), 0.001F);
+    EXPECT_LT(glm::length(once), 0.5F);
+    EXPECT_LT(glm::length(travel(2.0F) - 2.0F * once), 1e-5F);
+}
+
+TEST(AvatarClip, the_first_of_several_clips_is_said) {
+    const auto first = clip_of("kenney_character.glb");
+    ASSERT_TRUE(first) << first.error().message;
+    EXPECT_NE(first->choice().find("kenney_character.glb holds 4 clips"), std::string::npos)
+        << first->choice();
+    EXPECT_TRUE(clip_of("RiggedFigure.glb")->choice().empty());
 }
 
 TEST(AvatarClip, a_vrma_moves_the_mannequin) {
