@@ -66,8 +66,13 @@ DanceInfo info_of(const motion::AuthoredDance& dance) {
     return info;
 }
 
-std::optional<motion::CoupleForm> couple_form_of(const motion::AuthoredDance& dance) {
-    return dance.couple ? std::optional(dance.couple->form()) : std::nullopt;
+engine::NewGrammar grammar_of(const motion::AuthoredDance& dance) {
+    engine::NewGrammar grammar;
+    if (dance.couple) {
+        grammar.couple = dance.couple->form();
+        grammar.starts = motion::FigureGrammar::Starts::own;
+    }
+    return grammar;
 }
 
 Expected<std::vector<motion::AuthoredTrainingResult>> learn_figures(
@@ -131,8 +136,7 @@ Expected<fs::path> learn_written_dance(const fs::path& file, const motion::Skele
         // Written, not counted: every figure has the same weight.
         figures.push_back({&one.model, 1.0});
     }
-    if (auto added =
-            engine::add_to_folder(*folder, info_of(*dance), figures, couple_form_of(*dance));
+    if (auto added = engine::add_to_folder(*folder, info_of(*dance), figures, grammar_of(*dance));
         !added) {
         return fail(std::move(added.error()));
     }

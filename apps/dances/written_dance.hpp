@@ -8,6 +8,7 @@
 
 #include "base/dance_list.hpp"
 #include "base/expected.hpp"
+#include "engine/setup/dance_folder.hpp"
 #include "motion/choreography/authored_dance.hpp"
 #include "training/figures/authored_training.hpp"
 
@@ -15,8 +16,9 @@ namespace raks::apps {
 
 /// The entry of a dances.toml for a written dance: name, metre and tempi.
 [[nodiscard]] DanceInfo info_of(const motion::AuthoredDance& dance);
-/// What its grammar says of couples; none: it is danced alone.
-[[nodiscard]] std::optional<motion::CoupleForm> couple_form_of(const motion::AuthoredDance& dance);
+/// What a new grammar of it says: of a couple its form, and that its figures have stances of their
+/// own.
+[[nodiscard]] engine::NewGrammar grammar_of(const motion::AuthoredDance& dance);
 
 /// Learns the figures of a written dance, in the file's order; of a dance for couples each for the
 /// lead and then for the follow. `figure`: the only one to learn; empty: all. `on_learnt` is called

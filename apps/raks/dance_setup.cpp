@@ -101,6 +101,9 @@ Expected<engine::AvatarClip> open_clip(const std::string& motion,
     options.arm_angle = arm_angle;
     auto clip = engine::AvatarClip::load(motion, motion::mannequin_skeleton().offsets[0], options);
     if (clip) {
+        if (!clip->choice().empty()) {
+            say(clip->choice());
+        }
         for (const std::string& warning : clip->warnings()) {
             say_detail(warning);
         }

@@ -4,6 +4,7 @@
 
 #include "apps/clips/body_options.hpp"
 #include "apps/clips/joint_options.hpp"
+#include "apps/raks/command_options.hpp"
 #include "apps/raks/raks_command_table.hpp"
 #include "apps/terminal/option_checks.hpp"
 

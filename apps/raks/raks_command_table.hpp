@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "apps/terminal/command_table.hpp"
 #include "apps/terminal/say.hpp"
 #include "engine/setup/settings.hpp"
-#include "engine/setup/settings_table.hpp"
 
 namespace raks::apps {
 
@@ -103,16 +101,5 @@ void add_completion_command(RaksCommands& table);
 [[nodiscard]] ExitCode become(const char* name,
                               const std::string& command,
                               const std::vector<std::string>& arguments);
-
-/// Adds the options of these settings, in this order.
-void add_setting_options(CLI::App& app,
-                         engine::Settings& settings,
-                         std::initializer_list<engine::SettingField> fields);
-/// Adds the options of all settings that the command has by the table, in its order, those of the
-/// sound last. Those that were added before are left as they are: their place, help or check is
-/// another.
-void add_setting_options(CLI::App& app,
-                         engine::Settings& settings,
-                         engine::SettingCommands command);
 
 }  // namespace raks::apps

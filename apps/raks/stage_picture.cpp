@@ -133,6 +133,11 @@ void StageLoop::describe(const engine::StageState& stage, render::OverlayState& 
         overlay.message = graph_->trouble();
         overlay.level_dbfs = graph_->analysis().level_dbfs(HostClock::now());
     }
+    if (performance_) {
+        overlay.dance = performance_->name();
+        overlay.figure = "clip";
+        overlay.figure_count = 0;
+    }
     overlay.source = source_name();
     overlay.genre_teller = source_.teller;
     overlay.has_keys = true;

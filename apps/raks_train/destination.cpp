@@ -62,7 +62,7 @@ Expected<Destination> destination_of(const std::string& output, const std::strin
 Expected<void> deliver(const Destination& destination,
                        const DanceInfo& dance,
                        std::span<const engine::LearntFigure> figures,
-                       const std::optional<motion::CoupleForm>& couple) {
+                       const engine::NewGrammar& grammar) {
     // A file holds one model.
     if (!destination.file.empty()) {
         if (figures.size() != 1) {
@@ -74,7 +74,7 @@ Expected<void> deliver(const Destination& destination,
         }
         return motion::save_figure(*figures.front().model, destination.file);
     }
-    if (auto added = engine::add_to_folder(destination.folder, dance, figures, couple); !added) {
+    if (auto added = engine::add_to_folder(destination.folder, dance, figures, grammar); !added) {
         return added;
     }
     // The command that dances it: a folder elsewhere is named by its path.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -27,11 +26,11 @@ struct Destination {
                                                    const std::string& otherwise);
 
 /// Writes the figures there, and says on stderr where they are and how to dance them. `dance`: the
-/// entry of a folder's dances.toml; `couple`: of a new grammar. Errors: several figures for one
+/// entry of a folder's dances.toml. Errors: several figures for one
 /// file; as add_to_folder and save_figure.
 [[nodiscard]] Expected<void> deliver(const Destination& destination,
                                      const DanceInfo& dance,
                                      std::span<const engine::LearntFigure> figures,
-                                     const std::optional<motion::CoupleForm>& couple = {});
+                                     const engine::NewGrammar& grammar = {});
 
 }  // namespace raks::apps

@@ -18,8 +18,8 @@ void add_train_figure(CommandTable& table) {
         app->add_option("--labels", a->labels, "TSV: take, role, start, end, figure, ...");
     auto* propose =
         app->add_option("--propose", a->propose, "X.tsv: only find repeats; X.html shows them");
-    app->add_option("--beats", a->beats, "beats of one repeat, where there are no labels")
-        ->check(in_range(1, 64));
+    app->add_option("--beats", a->beats, "beats of one repeat, or of a phrase, without labels")
+        ->check(in_range(1, kLongestPhrase));
     auto* once = app->add_flag("--once", a->once, "each clip is one phrase, learnt as a whole")
                      ->excludes(labels)
                      ->excludes(propose);

@@ -97,7 +97,7 @@ ExitCode train_authored(const TrainFigureArguments& arguments) {
     DanceInfo info = info_of(*dance);
     info.extends = arguments.extends;
     // Written first: the lines below name files that are there.
-    if (auto delivered = deliver(*destination, info, figures, couple_form_of(*dance)); !delivered) {
+    if (auto delivered = deliver(*destination, info, figures, grammar_of(*dance)); !delivered) {
         return fail(std::move(delivered.error()));
     }
     for (const motion::AuthoredTrainingResult& trained : *learnt) {

@@ -31,6 +31,8 @@ struct LabelledClips {
     JointArguments joints;        ///< which joint of the clips is which bone
 };
 
+inline constexpr int kLongestPhrase = 1024;  ///< beats that --beats may say with --once
+
 /// Arguments of `raks train figure`.
 struct TrainFigureArguments : LabelledClips {
     Path music;             ///< danced to: its beats are the counts; empty: none
@@ -49,7 +51,7 @@ struct TrainFigureArguments : LabelledClips {
     /// Where the states lie before Baum-Welch.
     motion::StatesStart start = motion::StatesStart::flat;
     Path propose;       ///< .tsv that the repeats found are written to; empty: learnt at once
-    int beats = 0;      ///< of one repeat in clips without labels; 0: found
+    int beats = 0;      ///< of one repeat, or of a phrase, in clips without labels; 0: found
     bool once = false;  ///< learns each clip as one phrase
     double bpm = 0.0;   ///< of such phrases; 0: found
     motion::ClipTravel travel = motion::ClipTravel::file;  ///< how much of the clips' way is kept

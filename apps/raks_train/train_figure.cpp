@@ -21,6 +21,7 @@
 #include "base/statistics.hpp"
 #include "engine/setup/dance_folder.hpp"
 #include "motion/figures/figure_model.hpp"
+#include "training/discovery/phrase_discovery.hpp"
 #include "training/figures/training_plan.hpp"
 
 #include <fmt/format.h>
@@ -118,26 +119,6 @@ std::string dance_of(const TrainFigureArguments& arguments) {
     return made_dance_name(output.empty() ? motion::take_name(arguments.clips.front()) : output);
 }
 
-// The dances.toml entry of a dance that has these figures: its tempi lie around those learnt.
-DanceInfo info_of(const std::vector<motion::FigureTrainingReport>& learnt,
-                  const TrainFigureArguments& arguments) {
-    // Share of the learnt tempo by which the dance's range reaches to either side.
-    constexpr double kReach = 0.2;
-    std::vector<double> tempi;
-    for (const motion::FigureTrainingReport& report : learnt) {
-        // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
-        tempi.push_back(std::clamp(report.model.learnt_tempo.bpm(), 25.0, 330.0));
-    }
-    DanceInfo info;
-    info.name = info.title = learnt.front().model.dance;
-    info.extends = arguments.extends;
-    info.beats_per_bar = arguments.beats_per_bar;
-    info.lowest = Bpm(std::round((1.0 - kReach) * *std::min_element(tempi.begin(), tempi.end())));
-    info.highest = Bpm(std::round((1.0 + kReach) * *std::max_element(tempi.begin(), tempi.end())));
-    info.likely = Bpm(std::round(upper_median(std::move(tempi))));
-    return info;
-}
-
 // Tracks the beats of the music and uses them as the plan's counts.
 Expected<void> take_counts(const TrainFigureArguments& arguments,
                            motion::FigureTrainingPlan& plan) {
@@ -220,46 +201,122 @@ Expected<motion::FigureTrainingReport> learn(const motion::FigureTrainingPlan& p
     return report;
 }
 
-// A name for the figure of a clip that no other one has.
-std::string figure_of(const std::string& take,
-                      const std::vector<motion::FigureTrainingReport>& others) {
+// What was learnt of one figure, and how it stands among the others.
+struct Learnt {
+    motion::FigureTrainingReport report;
+    double seen = 1.0;  // as engine::LearntFigure has it
+    std::string next{};
+};
+
+// Repeats that were used weigh the figure in a new grammar.
+double repeats_used(const motion::FigureTrainingReport& report) {
+    return static_cast<double>(std::count_if(report.repeats.begin(),
+                                             report.repeats.end(),
+                                             [](const auto& use) { return use.left_out.empty(); }));
+}
+
+// The dances.toml entry of a dance that has these figures: its tempi lie around those learnt.
+DanceInfo info_of(const std::vector<Learnt>& learnt, const TrainFigureArguments& arguments) {
+    // Share of the learnt tempo by which the dance's range reaches to either side.
+    constexpr double kReach = 0.2;
+    std::vector<double> tempi;
+    for (const Learnt& one : learnt) {
+        // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
+        tempi.push_back(std::clamp(one.report.model.learnt_tempo.bpm(), 25.0, 330.0));
+    }
+    DanceInfo info;
+    info.name = info.title = learnt.front().report.model.dance;
+    info.extends = arguments.extends;
+    info.beats_per_bar = arguments.beats_per_bar;
+    info.lowest = Bpm(std::round((1.0 - kReach) * *std::min_element(tempi.begin(), tempi.end())));
+    info.highest = Bpm(std::round((1.0 + kReach) * *std::max_element(tempi.begin(), tempi.end())));
+    info.likely = Bpm(std::round(upper_median(std::move(tempi))));
+    return info;
+}
+
+// A name for the figures of a clip that those of no other one have.
+std::string figure_of(const std::string& take, std::vector<std::string>& taken) {
     const std::string plain = made_dance_name(take);
     std::string name = plain;
-    const auto is_taken = [&](const motion::FigureTrainingReport& other) {
-        return other.model.name == name;
-    };
-    for (int number = 2; std::any_of(others.begin(), others.end(), is_taken); ++number) {
+    for (int number = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++number) {
         name = fmt::format("{}_{}", plain, number);
     }
+    taken.push_back(name);
     return name;
 }
 
-// A figure of each clip.
-Expected<std::vector<motion::FigureTrainingReport>> learn_phrases(
-    const TrainFigureArguments& arguments,
-    const motion::FigureTrainingPlan& plan,
-    const motion::DiscoveredClips& found) {
-    std::vector<motion::FigureTrainingReport> learnt;
-    for (const motion::DiscoveredClip& clip : found.clips) {
+// The clip as one figure, or, where it is too long, as several that follow one another.
+Expected<void> learn_phrase(const TrainFigureArguments& arguments,
+                            const motion::FigureTrainingPlan& plan,
+                            const motion::DiscoveredClip& clip,
+                            const std::vector<std::string>& said,
+                            std::vector<Learnt>& learnt) {
+    const auto parts = motion::phrase_parts(clip.found, arguments.beats_per_bar);
+    const auto name_of = [&](std::size_t part) {
+        return parts.size() == 1 ? plan.figure : fmt::format("{}_{}", plan.figure, part + 1);
+    };
+    if (parts.size() > 1) {
+        say(fmt::format("{}: its {} beats become {} figures, {} to {}, danced in this order",
+                        printable(clip.take),
+                        clip.found.beats,
+                        parts.size(),
+                        name_of(0),
+                        name_of(parts.size() - 1)));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
         motion::FigureTrainingPlan own = plan;
         own.clips = {clip.file};
-        own.figure = arguments.figure.empty() ? figure_of(clip.take, learnt) : arguments.figure;
-        own.found = motion::labels_of(clip.found, clip.take, own.figure, plan.role);
+        own.figure = name_of(i);
+        own.found = motion::labels_of(parts[i], clip.take, own.figure, plan.role);
         if (arguments.states == 0) {
-            own.states = states_of(clip.found.beats, true);
+            own.states = states_of(parts[i].beats, true);
         }
-        auto report = learn(own, found.warnings);
+        auto report = learn(own, said);
         if (!report) {
             return fail(std::move(report.error()));
         }
-        learnt.push_back(std::move(*report));
+        // The later parts come after the one before alone.
+        learnt.push_back({std::move(*report),
+                          i == 0 ? 1.0 : 0.0,
+                          i + 1 < parts.size() ? name_of(i + 1) : std::string()});
+    }
+    return {};
+}
+
+// The figures of each clip; `is_file`: they go into one file.
+Expected<std::vector<Learnt>> learn_phrases(const TrainFigureArguments& arguments,
+                                            const motion::FigureTrainingPlan& plan,
+                                            const motion::DiscoveredClips& found,
+                                            bool is_file) {
+    std::size_t figures = 0;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        figures += motion::phrase_parts(clip.found, arguments.beats_per_bar).size();
+    }
+    if (figures > 1 && is_file) {
+        return fail(
+            fmt::format("{}: a file holds one figure, of {} beats at most, and these are "
+                        "{}: give -o a folder or a name",
+                        arguments.output,
+                        motion::kMostFigureBeats,
+                        figures));
+    }
+    std::vector<Learnt> learnt;
+    std::vector<std::string> taken;
+    for (const motion::DiscoveredClip& clip : found.clips) {
+        motion::FigureTrainingPlan own = plan;
+        own.figure = figure_of(arguments.figure.empty() ? clip.take : arguments.figure, taken);
+        if (auto done = learn_phrase(arguments, own, clip, found.warnings, learnt); !done) {
+            return fail(std::move(done.error()));
+        }
     }
     return learnt;
 }
 
-// The figure of clips with labels, or in which repeats were found; of --once one of each clip.
-Expected<std::vector<motion::FigureTrainingReport>> learn_figures(
-    const TrainFigureArguments& arguments, motion::FigureTrainingPlan& plan, bool& has_skipped) {
+// The figure of clips with labels, or in which repeats were found; of --once those of each clip.
+Expected<std::vector<Learnt>> learn_figures(const TrainFigureArguments& arguments,
+                                            motion::FigureTrainingPlan& plan,
+                                            bool is_file,
+                                            bool& has_skipped) {
     std::vector<std::string> said;
     if (arguments.labels.empty()) {
         const auto found = found_in_clips(arguments, plan);
@@ -269,7 +326,7 @@ Expected<std::vector<motion::FigureTrainingReport>> learn_figures(
         has_skipped = !found->skipped.empty();
         if (arguments.once) {
             print_text(found_lines(*found));
-            return learn_phrases(arguments, plan, *found);
+            return learn_phrases(arguments, plan, *found, is_file);
         }
         if (found->good() < motion::kFewestRepeats) {
             return fail(
@@ -289,20 +346,16 @@ Expected<std::vector<motion::FigureTrainingReport>> learn_figures(
     if (!report) {
         return fail(std::move(report.error()));
     }
-    return std::vector<motion::FigureTrainingReport>{std::move(*report)};
-}
-
-// Repeats that were used weigh the figure in a new grammar.
-double repeats_used(const motion::FigureTrainingReport& report) {
-    return static_cast<double>(std::count_if(report.repeats.begin(),
-                                             report.repeats.end(),
-                                             [](const auto& use) { return use.left_out.empty(); }));
+    const double seen = repeats_used(*report);
+    std::vector<Learnt> learnt;
+    learnt.push_back({std::move(*report), seen});
+    return learnt;
 }
 
 // A line for each figure: where its model is, and how well it was learnt.
-void print_learnt(const Destination& destination,
-                  const std::vector<motion::FigureTrainingReport>& learnt) {
-    for (const motion::FigureTrainingReport& report : learnt) {
+void print_learnt(const Destination& destination, const std::vector<Learnt>& learnt) {
+    for (const Learnt& one : learnt) {
+        const motion::FigureTrainingReport& report = one.report;
         const Path path = !destination.file.empty() ? destination.file
                                                     : engine::figure_path(destination.folder,
                                                                           report.model.dance,
@@ -358,15 +411,20 @@ ExitCode train_captured(const TrainFigureArguments& arguments) {
         return fail(std::move(plan.error()));
     }
     bool has_skipped = false;
-    const auto learnt = learn_figures(arguments, *plan, has_skipped);
+    const auto learnt = learn_figures(arguments, *plan, !destination->file.empty(), has_skipped);
     if (!learnt) {
         return fail(learnt.error());
     }
     std::vector<engine::LearntFigure> figures;
-    for (const motion::FigureTrainingReport& report : *learnt) {
-        figures.push_back({&report.model, repeats_used(report)});
+    for (const Learnt& one : *learnt) {
+        figures.push_back({&one.report.model, one.seen, one.next});
     }
-    if (auto done = deliver(*destination, info_of(*learnt, arguments), figures); !done) {
+    engine::NewGrammar grammar;
+    if (arguments.once) {
+        // A clip begins as it does, and each part of a long one where the one before ended.
+        grammar.starts = motion::FigureGrammar::Starts::own;
+    }
+    if (auto done = deliver(*destination, info_of(*learnt, arguments), figures, grammar); !done) {
         return fail(std::move(done.error()));
     }
     print_learnt(*destination, *learnt);
@@ -384,6 +442,12 @@ ExitCode train_figure(const TrainFigureArguments& arguments) {
                                            arguments.music});
         !checked) {
         return fail(std::move(checked.error()));
+    }
+    if (!arguments.once && arguments.beats > motion::kMostFigureBeats) {
+        say(fmt::format("--beats: a repeat has {} beats at most; of all of a clip (--once) {}",
+                        motion::kMostFigureBeats,
+                        kLongestPhrase));
+        return kExitUsage;
     }
     // A .toml is a written dance, all else is captured.
     if (arguments.clips.size() == 1 && arguments.clips.front().extension() == ".toml") {

@@ -183,7 +183,8 @@ MotionWearer wearer_of(const ShownModel& model) {
     return {.plan = model.plan,
             .labels = model.labels,
             .missing = render::missing_bones(model.figure.model.character.humanoid),
-            .hips = model.avatar->skeleton.offsets[0]};
+            .hips = model.avatar->skeleton.offsets[0],
+            .scale = model.figure.options.scale};
 }
 
 Expected<engine::AvatarClip> load_motion(const std::string& motion, const MotionWearer& wearer) {
@@ -195,6 +196,7 @@ Expected<engine::AvatarClip> load_motion(const std::string& motion, const Motion
     return engine::AvatarClip::load(motion,
                                     wearer.hips,
                                     {.avatar = wearer.plan.file,
+                                     .own_scale = wearer.scale,
                                      .labels = wearer.plan.options.labels,
                                      .joints = wearer.plan.joints,
                                      .arm_angle = wearer.plan.arm_angle,

@@ -66,6 +66,7 @@ struct MotionWearer {
     std::optional<render::BoneLabels> labels;  ///< it stands by
     std::string missing;                       ///< bones that it lacks; empty: it can move
     glm::vec3 hips{0.0F};                      ///< where those of its body rest
+    float scale = 1.0F;                        ///< of its body, from the file
 };
 /// As the model stands now.
 [[nodiscard]] MotionWearer wearer_of(const ShownModel& model);

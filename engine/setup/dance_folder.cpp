@@ -9,7 +9,6 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "motion/cells/cell_file.hpp"
-#include "motion/figures/figure_grammar.hpp"
 
 #include <fmt/format.h>
 
@@ -47,17 +46,14 @@ Expected<void> list_dance(const fs::path& folder, const DanceInfo& dance) {
 Expected<void> add_rules(const fs::path& folder,
                          const DanceInfo& dance,
                          std::span<const LearntFigure> figures,
-                         const std::optional<motion::CoupleForm>& couple) {
+                         const NewGrammar& grammar) {
     const fs::path path = grammar_path(folder, dance.name);
     // The head of a new grammar; a text that is there replaces it.
     motion::FigureGrammar head;
     head.dance = dance.name;
     head.beats_per_bar = dance.beats_per_bar;
-    if (couple) {
-        // Figures of a couple are written, and have stances of their own.
-        head.couple = couple;
-        head.starts = motion::FigureGrammar::Starts::own;
-    }
+    head.couple = grammar.couple;
+    head.starts = grammar.starts;
     std::string text = motion::grammar_head_text(head);
     std::vector<std::string> known;
     if (is_there(path)) {
@@ -76,7 +72,7 @@ Expected<void> add_rules(const fs::path& folder,
     for (const LearntFigure& figure : figures) {
         // Learnt models of both roles share one rule.
         if (std::find(known.begin(), known.end(), figure.model->name) == known.end()) {
-            text += motion::figure_rule_text(figure.model->name, figure.seen);
+            text += motion::figure_rule_text(figure.model->name, figure.seen, figure.next);
             known.push_back(figure.model->name);
         }
     }
@@ -122,7 +118,7 @@ Error named_as(const fs::path& folder, const fs::path& copy, Error error) {
 Expected<void> add_files(const fs::path& folder,
                          const DanceInfo& dance,
                          std::span<const LearntFigure> figures,
-                         const std::optional<motion::CoupleForm>& couple) {
+                         const NewGrammar& grammar) {
     for (const LearntFigure& figure : figures) {
         const motion::FigureModel& model = *figure.model;
         const fs::path path =
@@ -133,7 +129,7 @@ Expected<void> add_files(const fs::path& folder,
     }
     // The grammar after the figures and the list last: whatever is listed is complete, even if the
     // program is stopped in between.
-    if (auto added = add_rules(folder, dance, figures, couple); !added) {
+    if (auto added = add_rules(folder, dance, figures, grammar); !added) {
         return added;
     }
     return list_dance(folder, dance);
@@ -162,7 +158,7 @@ Expected<void> change_folder(const fs::path& folder,
 Expected<void> add_to_folder(const fs::path& folder,
                              const DanceInfo& dance,
                              std::span<const LearntFigure> figures,
-                             const std::optional<motion::CoupleForm>& couple) {
+                             const NewGrammar& grammar) {
     // All names are checked before the first file is written.
     if (!is_dance_name(dance.name)) {
         return fail("dance: " + why_no_dance_name(dance.name));
@@ -173,7 +169,7 @@ Expected<void> add_to_folder(const fs::path& folder,
         }
     }
     return change_folder(folder, [&](const fs::path& changed) {
-        return add_files(changed, dance, figures, couple);
+        return add_files(changed, dance, figures, grammar);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "base/expected.hpp"
 #include "motion/cells/cell_dance.hpp"
 #include "motion/figures/couple_form.hpp"
+#include "motion/figures/figure_grammar.hpp"
 #include "motion/figures/figure_model.hpp"
 
 /// A folder of dances: which file lies where, and how a learnt figure is added. The shipped folder,
@@ -41,12 +42,19 @@ namespace raks::engine {
 /// A figure to be added, with how often it occurred in the material that it was learnt from.
 struct LearntFigure {
     const motion::FigureModel* model = nullptr;  ///< never null; must outlive the call
-    double seen = 1.0;  ///< occurrences; the figure's weight in a new rule of the grammar
+    double seen = 1.0;   ///< occurrences; the figure's weight in a new rule of the grammar
+    std::string next{};  ///< the figure that always comes after it; empty: any may
+};
+
+/// What a new grammar says beside its figures.
+struct NewGrammar {
+    motion::FigureGrammar::Starts starts = motion::FigureGrammar::Starts::common;
+    std::optional<motion::CoupleForm> couple;  ///< none: nothing
 };
 
 /// Makes the folder or adds to it: writes the figures' files, lists the dance where it is not
 /// listed, and adds a rule for each figure that the grammar lacks. Text that is there stays as a
-/// person has edited it; a new grammar says of couples what `couple` does. `dance` with `extends`:
+/// person has edited it; `grammar` counts where there is none yet. `dance` with `extends`:
 /// the figures join that dance; their models are of that dance. The folder changes as a whole, so
 /// that a process that is killed leaves the old one or the new one; where the system cannot do that
 /// (no hard links; the current folder), file by file. Errors: a file that cannot be read
@@ -55,7 +63,7 @@ struct LearntFigure {
 [[nodiscard]] Expected<void> add_to_folder(const std::filesystem::path& folder,
                                            const DanceInfo& dance,
                                            std::span<const LearntFigure> figures,
-                                           const std::optional<motion::CoupleForm>& couple = {});
+                                           const NewGrammar& grammar = {});
 
 /// The same for a dance of cells: writes its file and lists it.
 [[nodiscard]] Expected<void> add_to_folder(const std::filesystem::path& folder,

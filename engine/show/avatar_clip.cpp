@@ -121,16 +121,21 @@ class AvatarClipReader {
         return clip;
     }
 
+    // `own_scale`: of AvatarClipOptions; none: the ratio of hips heights.
     Expected<AvatarClip> read_model(const fs::path& labels,
-                                    const std::optional<render::BoneLabels>& own) const {
+                                    const std::optional<render::BoneLabels>& own,
+                                    std::optional<float> own_scale) const {
         auto read = render::load_model(file_);
         if (!read) {
             return fail(read.error());
         }
         auto model = std::make_shared<render::Model>(std::move(*read));
-        auto clip = clip_of(*model, labels, own, model);
+        auto clip = clip_of(*model, labels, own, own_scale, model);
         if (!clip) {
             return fail(std::move(clip.error()).in(printable(file_.string())));
+        }
+        if (const std::string line = render::first_of_several(*model, name_); !line.empty()) {
+            clip->choice_ = printable(file_.filename().string()) + " " + line;
         }
         return clip;
     }
@@ -176,6 +181,7 @@ class AvatarClipReader {
     Expected<AvatarClip> clip_of(render::Model& model,
                                  const fs::path& labels,
                                  const std::optional<render::BoneLabels>& own,
+                                 std::optional<float> own_scale,
                                  const std::shared_ptr<render::Model>& keeper) const {
         const auto index = render::find_animation(model, name_);
         if (!index) {
@@ -189,7 +195,7 @@ class AvatarClipReader {
         if (!found) {
             return fail(found.error());
         }
-        return own_clip(keeper, *index);
+        return own_clip(keeper, *index, own_scale);
     }
 
     AvatarClip vrma_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
@@ -212,21 +218,23 @@ class AvatarClipReader {
         return clip;
     }
 
-    AvatarClip own_clip(const std::shared_ptr<render::Model>& model, std::size_t index) const {
+    AvatarClip own_clip(const std::shared_ptr<render::Model>& model,
+                        std::size_t index,
+                        std::optional<float> own_scale) const {
         const render::StandingBody standing = render::stand_up(*model);
         const auto sampler =
             std::make_shared<render::NodeClip>(*model, index, rest_of(*model, standing), others_);
         const auto hips_node = static_cast<std::size_t>(model->character.humanoid.nodes[0]);
-        // Over the floor that it stands on, wherever the file has that.
-        const float floor = render::mesh_box(*model, standing.world).lowest.y;
-        const float height = standing.world[hips_node][3].y - floor;
-        const float scale = height > 0.0F ? hips_.y / height : 1.0F;
+        const glm::vec3 rest(standing.world[hips_node][3]);
+        const float height = rest.y - render::mesh_box(*model, standing.world).lowest.y;
+        const float scale = own_scale.value_or(height > 0.0F ? hips_.y / height : 1.0F);
         AvatarClip clip;
         clip.duration_ = static_cast<double>(sampler->duration());
-        clip.pose_ = [model, sampler, floor, scale](double seconds) {
+        // From where the hips rest, wherever the file has that: a scene around a figure may reach
+        // below its floor.
+        clip.pose_ = [model, sampler, rest, scale, hips = hips_](double seconds) {
             motion::Pose pose = sampler->pose_at(static_cast<float>(seconds));
-            pose.hips_position.y -= floor;
-            pose.hips_position *= scale;
+            pose.hips_position = hips + scale * (pose.hips_position - rest);
             return pose;
         };
         if (others_ == render::OtherNodes::moved) {
@@ -282,8 +290,8 @@ Expected<AvatarClip> AvatarClip::load(const std::string& argument,
         return fail(file.string() +
                     ": is a model, whose bones --labels says; leave --joint and --joints out");
     }
-    return is_own ? reader.read_model(options.labels, options.own_labels)
-                  : reader.read_model({}, {});
+    return is_own ? reader.read_model(options.labels, options.own_labels, options.own_scale)
+                  : reader.read_model({}, {}, {});
 }
 
 }  // namespace raks::engine

@@ -22,6 +22,9 @@ namespace raks::engine {
 /// What a person says of a clip and of whom it moves.
 struct AvatarClipOptions {
     std::filesystem::path avatar;  ///< the model that it moves; empty: none
+    /// By what that model was scaled, which the travel of its own clips then is, too; none: by the
+    /// ratio of hips heights, as of other clips.
+    std::optional<float> own_scale{};
     /// Label file of that model, which counts where the clip is that model's own; empty: none.
     std::filesystem::path labels;
     motion::JointLabels joints{};  ///< which joint of a clip that is no model is which bone
@@ -54,6 +57,8 @@ class AvatarClip {
     [[nodiscard]] std::optional<double> bpm() const noexcept { return bpm_; }
     /// Whether clips of its kind are made for one song, at whose start they start.
     [[nodiscard]] bool is_of_one_song() const noexcept { return is_of_one_song_; }
+    /// One line where it is the first of several clips of a file and none was named; else empty.
+    [[nodiscard]] const std::string& choice() const noexcept { return choice_; }
     /// What the clip's reader left out or mended; one line each.
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
@@ -88,6 +93,7 @@ class AvatarClip {
     double rate_ = 60.0;
     std::optional<double> bpm_;
     bool is_of_one_song_ = false;
+    std::string choice_;
     std::vector<std::string> warnings_;
 };
 

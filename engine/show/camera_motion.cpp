@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "motion/skeleton/formats/mmd/mmd_body.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -23,7 +24,10 @@ Expected<CameraMotion> CameraMotion::load(const std::filesystem::path& file) {
 }
 
 render::Camera CameraMotion::at(double seconds, float size) const {
-    return camera_of(path_.at(seconds), size);
+    // It frames the heads of bodies that are less tall than the mannequin.
+    constexpr double kMannequinHeight = 1.73;  // metres
+    return camera_of(path_.at(seconds),
+                     size * static_cast<float>(kMannequinHeight / motion::kMmdHeight));
 }
 
 render::Camera camera_of(const motion::MmdView& view, float size) {

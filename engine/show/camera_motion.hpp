@@ -16,8 +16,8 @@ class CameraMotion {
     /// Errors: those of reading and of motion::MmdCameraPath::parse.
     [[nodiscard]] static Expected<CameraMotion> load(const std::filesystem::path& file);
 
-    /// The camera at seconds of the show. `size`: of the dancers against the mannequin's 1; their
-    /// camera stands as much farther and higher.
+    /// The camera at seconds of the show. `size`: of the dancers against the mannequin's 1. It
+    /// stands as much farther and higher as they are taller than MikuMikuDance's bodies.
     [[nodiscard]] render::Camera at(double seconds, float size = 1.0F) const;
 
  private:

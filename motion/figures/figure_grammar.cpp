@@ -283,8 +283,8 @@ class GrammarReader {
             return fail(where(node) + ": energy must be a number from 0 to 1");
         }
         rule.seen = (*table)["seen"].value_or(table->contains("seen") ? -1.0 : 1.0);
-        if (!(rule.seen > 0.0 && rule.seen <= kLargestWeight)) {
-            return fail(where(node) + ": seen must be a number > 0");
+        if (!(rule.seen >= 0.0 && rule.seen <= kLargestWeight)) {
+            return fail(where(node) + ": seen must be a number >= 0");
         }
         for (const auto& [key, value] :
              {std::pair("mirror", &rule.can_mirror), std::pair("half_tempo", &rule.can_slow)}) {
@@ -355,11 +355,7 @@ class GrammarReader {
         after.assign(names.size(), 0.0);
         if (!table.contains("after")) {
             follow_as_seen(grammar, index);
-            return {};
-        }
-        const toml::table* const weights = table["after"].as_table();
-        double sum = 0.0;
-        if (weights != nullptr) {
+        } else if (const toml::table* const weights = table["after"].as_table()) {
             for (const auto& entry : *weights) {
                 const auto at = std::find(names.begin(), names.end(), entry.first.str());
                 if (at == names.end()) {
@@ -374,11 +370,10 @@ class GrammarReader {
                                             entry.first.str()));
                 }
                 after[static_cast<std::size_t>(at - names.begin())] = weight;
-                sum += weight;
             }
         }
         // Without any follower the dance could not go on.
-        if (!(sum > 0.0)) {
+        if (std::all_of(after.begin(), after.end(), [](double weight) { return weight == 0.0; })) {
             return fail(fmt::format("{}: nothing comes after \"{}\"; give it after = {{ ... }}",
                                     where(table),
                                     names[index]));

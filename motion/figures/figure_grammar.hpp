@@ -25,7 +25,9 @@ struct FigureGrammar {
     struct Rule {
         std::string figure;   ///< name
         double energy = 0.5;  ///< liveliness, [0, 1]: 0 suits the quietest music, 1 the loudest
-        double seen = 1.0;    ///< > 0: weight of the figure after those whose rules do not list it
+        /// >= 0: weight of the figure after those whose rules do not list it; 0: it comes only
+        /// after those that do
+        double seen = 1.0;
         std::vector<double> after;  ///< by figure: weight that it follows this one, >= 0
         /// By DanceRole: how far a partner moves aside in the middle of the figure, so that both
         /// have room; left, forward of where it starts; metres.
@@ -73,15 +75,15 @@ struct FigureGrammar {
 /// 12; default 4), starts ("common", the default, or "own"), pauses, rests, rest_at, mirror,
 /// endings, idle and [hands] (see DanceHabits), and one [[figure]] each with name, energy, `seen`
 /// (default 1) and `after` = { figure = weight, ... }; without `after` every other figure follows,
-/// weighted by its `seen`. For couples [lead] and [follow] with turn_point = [left, forward] and
-/// heading in degrees, and in a figure lead_aside and follow_aside = [left, forward]; [couple] with
-/// hold ("none", "hands" or "closed"), apart = [left, forward] and of a closed hold hips, clasp,
-/// look and contacts (ClosedFrame); [solo] (read_solo_arms); and in a figure mirror (default true),
-/// half_tempo (default false), hands (shapes), still ("chest" or "head") and holds = [{ lead,
-/// follow ("left" or "right"), from, to (beats) }, ...]. A hold that cannot be read is left out,
-/// and `notes` says so. Errors, one line: not readable, not TOML, another format, a newer version,
-/// unknown keys and figures (the nearest name is given), two figures of one name, weights that are
-/// negative or no numbers, a figure that nothing follows. Threads: workers. Real-time: no.
+/// weighted by its `seen` (0: never). For couples [lead] and [follow] with turn_point = [left,
+/// forward] and heading in degrees, and in a figure lead_aside and follow_aside = [left, forward];
+/// [couple] with hold ("none", "hands" or "closed"), apart = [left, forward] and of a closed hold
+/// hips, clasp, look and contacts (ClosedFrame); [solo] (read_solo_arms); and in a figure mirror
+/// (default true), half_tempo (default false), hands (shapes), still ("chest" or "head") and holds
+/// = [{ lead, follow ("left" or "right"), from, to (beats) }, ...]. A hold that cannot be read is
+/// left out, and `notes` says so. Errors, one line: not readable, not TOML, another format, a newer
+/// version, unknown keys and figures (the nearest name is given), two figures of one name, weights
+/// that are negative or no numbers, a figure that nothing follows. Threads: workers. Real-time: no.
 [[nodiscard]] Expected<FigureGrammar> load_grammar(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 [[nodiscard]] Expected<FigureGrammar> parse_grammar(std::string_view toml, const std::string& name);
@@ -103,8 +105,10 @@ struct FigureGrammar {
 /// An error message: the name in quotes and why it is not valid.
 [[nodiscard]] std::string why_no_figure_name(std::string_view name);
 
-/// TOML text of a [[figure]] without `after`.
-[[nodiscard]] std::string figure_rule_text(std::string_view figure, double seen);
+/// TOML text of a [[figure]]. `next`: the figure that always comes after it; empty: any may.
+[[nodiscard]] std::string figure_rule_text(std::string_view figure,
+                                           double seen,
+                                           std::string_view next = {});
 /// TOML text of a file's head, without figures, with comments for its editor.
 [[nodiscard]] std::string grammar_head_text(const FigureGrammar& grammar);
 

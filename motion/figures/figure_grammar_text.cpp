@@ -30,8 +30,9 @@ std::string why_no_figure_name(std::string_view name) {
                        kLongestFigureName);
 }
 
-std::string figure_rule_text(std::string_view figure, double seen) {
-    return fmt::format("\n[[figure]]\nname = \"{}\"\nseen = {}\n", figure, seen);
+std::string figure_rule_text(std::string_view figure, double seen, std::string_view next) {
+    const std::string after = next.empty() ? "" : fmt::format("after = {{ {} = 1 }}\n", next);
+    return fmt::format("\n[[figure]]\nname = \"{}\"\nseen = {}\n{}", figure, seen, after);
 }
 
 std::string grammar_head_text(const FigureGrammar& grammar) {
@@ -47,8 +48,9 @@ std::string grammar_head_text(const FigureGrammar& grammar) {
     return fmt::format(
                "# Which figure comes after which. Without a line `after`, every other figure "
                "follows as\n"
-               "# often as it was `seen`; after = {{ NAME = 2, OTHER = 1 }} says it for one "
-               "figure.\n"
+               "# often as it was `seen` (0: only after those whose `after` names it); "
+               "after = {{ NAME = 2,\n"
+               "# OTHER = 1 }} says it for one figure.\n"
                "# energy = 0.0 ... 1.0 is the music that a figure is for: from the quietest to "
                "the\n"
                "# loudest. The dance begins with the first figure.\n"

@@ -315,6 +315,14 @@ Expected<std::size_t> find_animation(const Model& model, const std::string& name
     return static_cast<std::size_t>(found - names.begin());
 }
 
+std::string first_of_several(const Model& model, const std::string& clip) {
+    return clip.empty() && model.animations.size() > 1
+               ? fmt::format("holds {} clips; the first, \"{}\", is read (FILE#NAME reads another)",
+                             model.animations.size(),
+                             model.animations[0].name)
+               : std::string();
+}
+
 Expected<motion::MotionClip> model_motion(const Model& model,
                                           std::size_t animation,
                                           std::optional<double> frames_per_second) {
@@ -355,11 +363,8 @@ Expected<motion::MotionClip> read_model_motion(const std::filesystem::path& file
         return fail(std::move(motion.error()).in(printable(file.string())));
     }
     motion->warnings = model->warnings;
-    if (clip.empty() && model->animations.size() > 1) {
-        motion->warnings.push_back(
-            fmt::format("holds {} clips; the first, \"{}\", is read (FILE#NAME reads another)",
-                        model->animations.size(),
-                        model->animations[0].name));
+    if (std::string line = first_of_several(*model, clip); !line.empty()) {
+        motion->warnings.push_back(std::move(line));
     }
     return motion;
 }

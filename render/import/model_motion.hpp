@@ -17,6 +17,10 @@ namespace raks::render {
 /// of that name, or none at all.
 [[nodiscard]] Expected<std::size_t> find_animation(const Model& model, const std::string& name);
 
+/// One line for people where `clip` names none of several clips, so that the first is taken; else
+/// empty.
+[[nodiscard]] std::string first_of_several(const Model& model, const std::string& clip);
+
 /// A clip of a model as motion of its joints, in metres and y up, as glTF has it: the humanoid's
 /// bones where the file names them (VRM, VRMA; they then have VRM's names), else the joints of its
 /// skins, else the nodes that the clip moves; and the bones of a humanoid that was found in it

@@ -48,7 +48,9 @@ void draw_figure(const Pen& pen, const OverlayState& state, const Box& box) {
     const float right = box.right() - kInner;
     const bool is_dancing = !state.figure.empty();
     const float label = pen.text(fonts.small, x, box.y + 72.0F, palette::kDim, "DANCE");
-    pen.text(fonts.small, x + label + 8.0F, box.y + 72.0F, palette::kText, state.dance);
+    const float name = x + label + 8.0F;
+    pen.text(
+        fonts.small, name, box.y + 72.0F, palette::kText, state.dance, Align::left, right - name);
     pen.text(fonts.bold,
              x,
              box.y + 87.0F,

@@ -48,14 +48,32 @@ bool is_free(const Box& box, const std::vector<glm::vec2>& points, const std::ve
            std::none_of(taken.begin(), taken.end(), [&](const Box& b) { return overlap(box, b); });
 }
 
+bool lies_in(const Box& box, const Box& area) {
+    return box.x >= area.x && box.right() <= area.right() && box.y >= area.y &&
+           box.bottom() <= area.bottom();
+}
+
+// What is drawn on now, units.
+Box drawn_area(const Pen& pen) {
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low = list.GetClipRectMin();
+    const ImVec2 high = list.GetClipRectMax();
+    const float unit = pen.unit();
+    return {low.x / unit, low.y / unit, (high.x - low.x) / unit, (high.y - low.y) / unit};
+}
+
 }  // namespace
 
 std::vector<Box> place_tags(const std::vector<glm::vec2>& points,
                             const std::vector<float>& widths,
-                            float height) {
+                            float height,
+                            const Box& area) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::vector<Box> places = places_around(points[i], widths[i], height);
+        std::vector<Box> places = places_around(points[i], widths[i], height);
+        // Those that are seen whole first.
+        std::stable_partition(
+            places.begin(), places.end(), [&](const Box& place) { return lies_in(place, area); });
         const auto free = std::find_if(places.begin(), places.end(), [&](const Box& place) {
             return is_free(place, points, boxes);
         });
@@ -73,7 +91,7 @@ void draw_tags(const PaneFrame& frame, const std::vector<NameTag>& tags) {
         points.push_back(tag.at);
         widths.push_back(pen.width_of(font, tag.name) + 8.0F);
     }
-    const std::vector<Box> boxes = place_tags(points, widths, kHeight);
+    const std::vector<Box> boxes = place_tags(points, widths, kHeight, drawn_area(pen));
     for (std::size_t i = 0; i < tags.size(); ++i) {
         const Box& box = boxes[i];
         const glm::vec2 nearest =

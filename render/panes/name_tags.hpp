@@ -18,11 +18,12 @@ struct NameTag {
 };
 
 /// Where the tags' boxes go, of `widths` by `height` units: right of their point, else around it,
-/// farther away where that is taken by a box before or by a point. Pure; the same input, the same
-/// boxes.
+/// farther away where that is taken by a box before or by a point; inside `area` where one of these
+/// places is. Pure; the same input, the same boxes.
 [[nodiscard]] std::vector<Box> place_tags(const std::vector<glm::vec2>& points,
                                           const std::vector<float>& widths,
-                                          float height);
+                                          float height,
+                                          const Box& area);
 
 /// Draws them, with a line to the point where the box is not beside it.
 void draw_tags(const PaneFrame& frame, const std::vector<NameTag>& tags);

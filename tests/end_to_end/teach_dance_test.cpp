@@ -211,6 +211,28 @@ TEST_F(TeachDance, a_clip_danced_once_has_the_name_of_its_file_made_plain) {
     expect_done({"dance", "song.mp3", "--dance", "my_clips", "-o", "both.bvh"});
 }
 
+TEST_F(TeachDance, a_long_clip_is_learnt_whole_as_figures_in_its_order) {
+    motion::test::SteppingDance dance;
+    dance.repeats = 9;
+    const motion::TrainingClip clip = motion::test::stepping_clip(dance);
+    ASSERT_TRUE(
+        motion::write_bvh(folder_ / "long.bvh", motion::mannequin_skeleton(), clip.poses, 60.0));
+    const ProcessResult learnt =
+        run_here({"train", "figure", "long.bvh", "--scale", "1", "--once", "--beats", "75"});
+    ASSERT_EQ(learnt.exit_code, 0) << learnt.err;
+    EXPECT_NE(learnt.err.find("its 75 beats become 2 figures, long_1 to long_2"), std::string::npos)
+        << learnt.err;
+    EXPECT_EQ(found("long")["figures"], (nlohmann::json{"long_1", "long_2"}));
+    expect_done({"dance", "song.mp3", "--dance", "long", "-o", "long_danced.bvh"});
+    const ProcessResult file = run_here(
+        {"train", "figure", "long.bvh", "--scale", "1", "--once", "--beats", "75", "-o", "x.json"});
+    EXPECT_EQ(file.exit_code, 1);
+    EXPECT_NE(file.err.find("these are 2: give -o a folder or a name"), std::string::npos)
+        << file.err;
+    const ProcessResult repeats = run_here({"train", "figure", "long.bvh", "--beats", "75"});
+    EXPECT_EQ(repeats.exit_code, 2);
+}
+
 TEST_F(TeachDance, its_grammar_can_be_edited_and_is_kept) {
     expect_done({"train", "figure", "my.toml", "--figure", "box"});
     const fs::path grammar = folder_ / "share/raks/dances/tango/tango.toml";

@@ -16,7 +16,6 @@
 namespace raks::motion {
 namespace {
 
-constexpr int kMostPhraseBeats = 64;  // of one figure
 constexpr double kLikely = 0.05;      // a way to count that is less probable is not said
 constexpr double kSameTempo = 0.04;   // of a tempo: counts so near are not told apart
 constexpr double kOffTempo = 0.02;    // of a tempo that was asked for: more is said
@@ -101,7 +100,6 @@ class PhraseSearch {
                 fmt::format("it begins with {:.2f} s of a rest pose, which is left out",
                             static_cast<double>(first_) / clip_.frames_per_second));
         }
-        keep_what_a_figure_holds();
         return std::move(found_);
     }
 
@@ -169,6 +167,9 @@ class PhraseSearch {
         const double from = std::max(inside.front(), start);
         const double to = std::min(inside.back(), length);
         take(from, to, static_cast<int>(inside.size()) - 1);
+        for (const double beat : inside) {
+            found_.beat_frames.push_back(beat * clip_.frames_per_second);
+        }
         if (from - start > slack || length - to > slack) {
             found_.warnings.push_back(
                 fmt::format("{:.2f} s before the first beat of {} and {:.2f} s behind its last one "
@@ -178,23 +179,6 @@ class PhraseSearch {
                             length - to));
         }
         return {};
-    }
-
-    void keep_what_a_figure_holds() {
-        if (found_.beats <= kMostPhraseBeats) {
-            return;
-        }
-        found_.warnings.push_back(
-            fmt::format("it has {} beats, and a figure holds {}: the first {} are learnt (raks "
-                        "train take learns all)",
-                        found_.beats,
-                        kMostPhraseBeats,
-                        kMostPhraseBeats));
-        const double share = static_cast<double>(kMostPhraseBeats) / found_.beats;
-        FoundRepeat& phrase = found_.repeats.front();
-        phrase.end = phrase.start + share * (phrase.end - phrase.start);
-        found_.seconds *= share;
-        found_.beats = kMostPhraseBeats;
     }
 
     const TrainingClip& clip_;
@@ -212,6 +196,32 @@ Expected<FoundRepeats> whole_phrase(const TrainingClip& clip, const DiscoveryOpt
         return fail(std::move(sound.error()));
     }
     return PhraseSearch(clip, options).run();
+}
+
+std::vector<FoundRepeats> phrase_parts(const FoundRepeats& phrase, int beats_per_bar) {
+    if (phrase.beats <= kMostFigureBeats) {
+        return {phrase};
+    }
+    const FoundRepeat& whole = phrase.repeats.front();
+    const double frames = whole.end - whole.start;
+    const auto frame_of = [&](int beat) {
+        return phrase.beat_frames.empty() ? whole.start + frames * beat / phrase.beats
+                                          : phrase.beat_frames[static_cast<std::size_t>(beat)];
+    };
+    const int bars = (phrase.beats + beats_per_bar - 1) / beats_per_bar;
+    const int bars_a_figure = kMostFigureBeats / beats_per_bar;
+    const int count = (bars + bars_a_figure - 1) / bars_a_figure;
+    std::vector<FoundRepeats> parts;
+    for (int i = 0; i < count; ++i) {
+        const int first = bars * i / count * beats_per_bar;
+        const int last = std::min(bars * (i + 1) / count * beats_per_bar, phrase.beats);
+        FoundRepeats part;
+        part.beats = last - first;
+        part.repeats = {{frame_of(first), frame_of(last), 0.0, true}};
+        part.seconds = phrase.seconds * (frame_of(last) - frame_of(first)) / frames;
+        parts.push_back(std::move(part));
+    }
+    return parts;
 }
 
 void agree_on_octaves(std::vector<FoundRepeats*> phrases) {
@@ -232,7 +242,7 @@ void agree_on_octaves(std::vector<FoundRepeats*> phrases) {
         }
         for (std::size_t i = 1; i < phrase->counts.size(); ++i) {
             const PhraseCount other = phrase->counts[i];
-            if (octaves(other.bpm) < kSameOctave && other.beats <= kMostPhraseBeats &&
+            if (octaves(other.bpm) < kSameOctave &&
                 (other.beats == 2 * phrase->beats || 2 * other.beats == phrase->beats)) {
                 std::swap(phrase->counts[0], phrase->counts[i]);
                 phrase->beats = other.beats;

@@ -21,7 +21,7 @@ namespace raks::motion {
 struct DiscoveryOptions {
     DanceRole role =
         DanceRole::lead;        ///< the lead begins with the left foot, the follow with the right
-    std::optional<int> beats;   ///< of one repeat, 1 to 64; none: found
+    std::optional<int> beats;   ///< of one repeat, 1 to 64, or of a phrase; none: found
     std::optional<double> bpm;  ///< of a phrase; none: found
     int beats_per_bar = 4;      ///< of the music
     std::optional<DancedMusic> music;  ///< its beats are the counts; none: counts from the feet
@@ -44,6 +44,8 @@ struct FoundRepeats {
     /// Of a whole phrase whose beats the motion told: the ways to count it, the one that is taken
     /// first. Else empty.
     std::vector<PhraseCount> counts;
+    /// Of a whole phrase that was counted by music: the frames of its beats. Else empty.
+    std::vector<double> beat_frames;
     std::string none_because;           ///< one line where there are none; empty otherwise
     std::vector<std::string> warnings;  ///< one line each, without the clip's name
 

@@ -22,7 +22,7 @@ constexpr double kLargestMetres = 1e3;  // of a hips coordinate; a larger one me
 // zero so that covariances stay positive definite.
 Expected<void> check_options(const FigureTrainingOptions& options) {
     const RangeCheck ranges[] = {
-        {"beats", static_cast<double>(options.beats), 1, 64},
+        {"beats", static_cast<double>(options.beats), 1, kMostFigureBeats},
         {"samples_per_beat", static_cast<double>(options.samples_per_beat), 4, 200},
         {"states",
          static_cast<double>(options.states),

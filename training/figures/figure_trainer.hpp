@@ -36,6 +36,8 @@ struct FigureRepeat {
     double weight = 1.0;  ///< > 0; its share in every mean
 };
 
+inline constexpr int kMostFigureBeats = 64;  ///< as a figure's file has them
+
 /// What is learnt and how; the first four go into the model as they are.
 struct FigureTrainingOptions {
     std::string name;                                  ///< of the figure
@@ -43,8 +45,8 @@ struct FigureTrainingOptions {
     DanceRole role = DanceRole::lead;                  ///< whose motion it is
     std::string attribution;                           ///< credit that the data's licence asks for
     FigureFeatures features = FigureFeatures::angles;  ///< joint angles, or joint positions
-    int beats = 8;                                     ///< of one repetition, 1 to 64
-    int samples_per_beat = 24;                         ///< of the phase axis, 4 to 200
+    int beats = 8;              ///< of one repetition, up to kMostFigureBeats
+    int samples_per_beat = 24;  ///< of the phase axis, 4 to 200
     int states = 16;  ///< of each part; held-out legs gain 0.2 nats a sample from 14 to 16
     /// Rounds of Baum-Welch after the alignment by counts. 0 keeps each state on its slice of the
     /// phase, as the dancer plays them: free state boundaries differ between the parts, and the

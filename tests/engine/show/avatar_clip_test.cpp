@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/pending_file.hpp"
@@ -10,6 +11,8 @@
 #include "motion/skeleton/skeleton.hpp"
 #include "tests/motion/skeleton/formats/vmd_maker.hpp"
 #include "tests/support/temporary_folder.hpp"
+
+#include <glm/geometric.hpp>
 
 namespace raks::engine {
 namespace {
@@ -45,6 +48,28 @@ TEST(AvatarClip, a_models_own_clip_moves_the_mannequin) {
     const motion::Pose first = clip->pose_at(0.0);
     const motion::Pose later = clip->pose_at(clip->duration() / 2.0);
     EXPECT_NE(first.local_rotations, later.local_rotations);
+}
+
+// Not from where the file has them, nor by the lowest point of all that is in it.
+TEST(AvatarClip, a_models_own_clip_goes_from_where_its_hips_rest) {
+    const fs::path file = kModels / "RiggedFigure.glb";  // its clip does not move the hips
+    const glm::vec3 rest(0.3F, 5.0F, -2.0F);
+    AvatarClipOptions options;
+    options.avatar = file;
+    for (const std::optional<float> scale : {std::optional<float>(), std::optional(2.0F)}) {
+        options.own_scale = scale;
+        const auto clip = AvatarClip::load(file.string(), rest, options);
+        ASSERT_TRUE(clip) << clip.error().message;
+        EXPECT_LT(glm::distance(clip->pose_at(clip->duration() / 3.0).hips_position, rest), 1e-4F);
+    }
+}
+
+TEST(AvatarClip, the_first_of_several_clips_is_said) {
+    const auto first = clip_of("kenney_character.glb");
+    ASSERT_TRUE(first) << first.error().message;
+    EXPECT_NE(first->choice().find("kenney_character.glb holds 4 clips"), std::string::npos)
+        << first->choice();
+    EXPECT_TRUE(clip_of("RiggedFigure.glb")->choice().empty());
 }
 
 TEST(AvatarClip, a_vrma_moves_the_mannequin) {

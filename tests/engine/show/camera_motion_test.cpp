@@ -51,20 +51,24 @@ TEST(CameraMotion, keys_are_read_and_cut_between_neighbouring_frames) {
     ASSERT_TRUE(write_file(folder / "x.vmd", maker.bytes()));
     const auto motion = CameraMotion::load(folder / "x.vmd");
     ASSERT_TRUE(motion) << motion.error().message;
-    const render::Camera first = motion->at(0.0);
+    const float size = 1.6F / 1.73F;  // of a body as tall as those of MikuMikuDance
+    const render::Camera first = motion->at(0.0, size);
     EXPECT_NEAR(first.distance, 3.6F, 1e-4F);
     EXPECT_NEAR(first.yaw, 0.0F, 1e-5F);
     EXPECT_NEAR(first.pitch, 0.2F, 1e-5F);
     EXPECT_NEAR(first.target.y, 0.8F, 1e-4F);
     EXPECT_NEAR(first.vertical_fov, glm::radians(30.0F), 1e-5F);
     EXPECT_GT(first.position().z, 3.0F);
-    EXPECT_NEAR(motion->at(0.5).distance, 2.8F, 1e-3F);  // half way on a straight line
+    EXPECT_NEAR(motion->at(0.5, size).distance, 2.8F, 1e-3F);  // half way on a straight line
     EXPECT_NEAR(motion->at(30.9 / 30.0).yaw, 0.0F, 1e-5F);
     // A quarter turn to the file's +x, which is the figure's left.
     EXPECT_NEAR(motion->at(31.0 / 30.0).yaw, glm::radians(90.0F), 1e-4F);
     EXPECT_GT(motion->at(60.0).position().x, 1.0F);
-    // Twice as large dancers.
-    EXPECT_NEAR(motion->at(0.0, 2.0F).target.y, 1.6F, 1e-4F);
+    // Times of pictures are rounded; the cut is at the file's frame all the same.
+    EXPECT_NEAR(motion->at(31.0 / 30.0 - 1e-5).yaw, glm::radians(90.0F), 1e-4F);
+    // Twice as large dancers, and the mannequin, whose middle is looked at as well.
+    EXPECT_NEAR(motion->at(0.0, 2.0F * size).target.y, 1.6F, 1e-4F);
+    EXPECT_NEAR(motion->at(0.0).target.y, 0.8F * 1.73F / 1.6F, 1e-4F);
 }
 
 TEST(CameraMotion, files_without_a_camera_are_refused) {

@@ -411,9 +411,33 @@ TEST(FigureGrammar, without_a_rule_every_other_figure_follows_as_often_as_it_was
     EXPECT_EQ(grammar->rules[0].after, (std::vector<double>{0.0, 2.0, 1.0}));
     EXPECT_EQ(grammar->rules[1].after, (std::vector<double>{6.0, 0.0, 1.0}));
     EXPECT_EQ(grammar->rules[2].after, (std::vector<double>{6.0, 2.0, 0.0}));
-    const auto bad =
-        parse_grammar(std::string(kSeen).replace(kSeen.find("seen = 6"), 8, "seen = 0"), "x.toml");
-    EXPECT_EQ(bad.error().message, "x.toml: line 4: seen must be a number > 0");
+    const auto seen = [](const std::string& value) {
+        return parse_grammar(std::string(kSeen).replace(kSeen.find("seen = 6"), 8, value),
+                             "x.toml");
+    };
+    EXPECT_EQ(seen("seen = -1").error().message, "x.toml: line 4: seen must be a number >= 0");
+    EXPECT_EQ(seen("seen = 0")->rules[1].after, (std::vector<double>{0.0, 0.0, 1.0}));
+}
+
+TEST(FigureGrammar, figures_in_a_fixed_order_come_one_after_the_other) {
+    FigureGrammar head;
+    head.dance = "mine";
+    const std::string chain = grammar_head_text(head) + figure_rule_text("a_1", 1.0, "a_2") +
+                              figure_rule_text("a_2", 0.0, "a_3") + figure_rule_text("a_3", 0.0);
+    const auto alone = parse_grammar(chain, "x.toml");
+    ASSERT_TRUE(alone) << alone.error().message;
+    EXPECT_EQ(alone->rules[0].after, (std::vector<double>{0.0, 1.0, 0.0}));
+    EXPECT_EQ(alone->rules[1].after, (std::vector<double>{0.0, 0.0, 1.0}));
+    EXPECT_EQ(alone->rules[2].after, (std::vector<double>{1.0, 0.0, 0.0}));
+    const auto beside = parse_grammar(chain + figure_rule_text("b", 2.0), "x.toml");
+    ASSERT_TRUE(beside) << beside.error().message;
+    EXPECT_EQ(beside->rules[2].after, (std::vector<double>{1.0, 0.0, 0.0, 2.0}));
+    EXPECT_EQ(beside->rules[3].after, (std::vector<double>{1.0, 0.0, 0.0, 0.0}));
+    const auto none = parse_grammar(
+        grammar_head_text(head) + figure_rule_text("a", 0.0) + figure_rule_text("b", 0.0),
+        "x.toml");
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("nothing comes after \"a\""), std::string::npos);
 }
 
 TEST(FigureGrammar, the_only_figure_follows_itself) {

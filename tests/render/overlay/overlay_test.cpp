@@ -3,142 +3,26 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <map>
-#include <optional>
-#include <set>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "render/gl/offscreen.hpp"
+#include "tests/render/overlay/overlay_fixture.hpp"
 
 namespace raks::render {
 namespace {
 
-constexpr int kPictureWidth = 640;
-constexpr int kPictureHeight = 360;
-constexpr std::array<std::uint8_t, 3> kBehind = {40, 60, 120};
+using test::kPictureHeight;
+using test::kPictureWidth;
+using test::locked_state;
+using test::many_keys;
+using test::Pixels;
 
-OverlayState locked_state() {
-    OverlayState state;
-    state.bpm = 184.2;
-    state.confidence = 0.92F;
-    state.bar_position = 2.05;
-    state.genre = "salsa";
-    state.genre_posterior = 0.87F;
-    state.figure = "basic step";
-    state.figure_count = 3;
-    state.source = "song.flac";
-    state.level_dbfs = -14.0F;
-    state.loudness_lufs = -13.0F;
-    state.position = 83.0;
-    state.duration = 272.0;
-    state.latency_ms = 42.0;
-    state.fps = 60.0;
-    state.volume = 1.0F;
-    state.has_keys = true;
-    return state;
-}
-
-/// As many as the program has.
-std::vector<HelpRow> many_keys() {
-    std::vector<HelpRow> rows;
-    for (const auto& [group, count] : {std::pair{"PLAYING", 7},
-                                       std::pair{"TEMPO", 8},
-                                       std::pair{"DANCE", 5},
-                                       std::pair{"VIEW", 5},
-                                       std::pair{"WINDOW", 4}}) {
-        for (int i = 0; i < count; ++i) {
-            rows.push_back({group, {"Shift+Left", "Shift+Right"}, "hide, show this overlay"});
-        }
-    }
-    return rows;
-}
-
-struct Pixels {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba;
-
-    [[nodiscard]] bool is_behind(int x, int y) const {
-        const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                               static_cast<std::size_t>(x)) *
-                              4;
-        return rgba[i] == kBehind[0] && rgba[i + 1] == kBehind[1] && rgba[i + 2] == kBehind[2];
-    }
-    /// Share of the pixels of a rectangle (fractions of the picture) that were drawn on.
-    [[nodiscard]] double drawn(double left, double top, double right, double bottom) const {
-        int drawn = 0;
-        int all = 0;
-        for (int y = static_cast<int>(top * height); y < static_cast<int>(bottom * height); ++y) {
-            for (int x = static_cast<int>(left * width); x < static_cast<int>(right * width); ++x) {
-                drawn += is_behind(x, y) ? 0 : 1;
-                ++all;
-            }
-        }
-        return static_cast<double>(drawn) / all;
-    }
-    friend bool operator==(const Pixels&, const Pixels&) = default;
-};
-
-class OverlayTest : public testing::Test {
- protected:
-    void SetUp() override {
-        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // NOLINT(concurrency-mt-unsafe): one thread yet
-        auto context = OffscreenContext::create();
-        ASSERT_TRUE(context) << context.error().message;
-        context_.emplace(std::move(*context));
-        auto overlay = Overlay::create();
-        ASSERT_TRUE(overlay) << overlay.error().message;
-        overlay_.emplace(std::move(*overlay));
-    }
-
-    Pixels draw(const OverlayState& state,
-                OverlayView view = OverlayView::shown,
-                int width = kPictureWidth,
-                int height = kPictureHeight,
-                float content_scale = 1.0F) {
-        auto target = OffscreenTarget::create({.width = width, .height = height});
-        EXPECT_TRUE(target) << target.error().message;
-        clear(*target);
-        overlay_->draw(state, view, target->frame(), content_scale);
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        return read(*target);
-    }
-
-    /// Where a pointer can use what is drawn.
-    OverlayControls controls_of(const OverlayState& state, int width, int height) {
-        auto target = OffscreenTarget::create({.width = width, .height = height});
-        EXPECT_TRUE(target) << target.error().message;
-        OverlayControls controls = overlay_->draw(state, OverlayView::hidden, target->frame());
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        return controls;
-    }
-
-    static void clear(const OffscreenTarget& target) {
-        glBindFramebuffer(GL_FRAMEBUFFER, target.frame().framebuffer);
-        glClearColor(40.0F / 255.0F, 60.0F / 255.0F, 120.0F / 255.0F, 1.0F);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-
-    static Pixels read(OffscreenTarget& target) {
-        Pixels pixels{target.width(), target.height(), {}};
-        pixels.rgba.resize(static_cast<std::size_t>(target.width()) *
-                           static_cast<std::size_t>(target.height()) * 4);
-        EXPECT_TRUE(target.read_rgba(pixels.rgba));
-        return pixels;
-    }
-
-    std::optional<OffscreenContext> context_;
-    std::optional<Overlay> overlay_;  // goes before its context
-};
+class OverlayTest : public test::OverlayFixture {};
 
 TEST_F(OverlayTest, cards_stand_in_the_corners_and_leave_the_dancer_free) {
     for (const auto& [width, height] : {std::pair{640, 360}, std::pair{1280, 720}}) {
@@ -316,120 +200,6 @@ TEST_F(OverlayTest, a_beat_is_brightest_when_it_sounds) {
     EXPECT_GT(light(1.5), light(1.9));
 }
 
-TEST_F(OverlayTest, help_lists_keys_in_the_middle) {
-    for (const auto& [width, height] : {std::pair{640, 360}, std::pair{1280, 720}}) {
-        const std::vector<HelpRow> rows = many_keys();
-        OverlayState state = locked_state();
-        state.help = rows;
-        const Pixels pixels = draw(state, OverlayView::hidden, width, height);
-        EXPECT_GT(pixels.drawn(0.28, 0.25, 0.72, 0.75), 0.99) << width;
-        EXPECT_EQ(pixels.drawn(0.0, 0.0, 1.0, 0.01), 0.0) << width << ": it fits";
-        EXPECT_EQ(pixels.drawn(0.0, 0.99, 1.0, 1.0), 0.0) << width << ": it fits";
-    }
-}
-
-TEST_F(OverlayTest, help_fits_into_narrow_and_small_pictures) {
-    const std::vector<HelpRow> rows = many_keys();
-    for (const auto& [width, height] :
-         {std::pair{480, 854}, std::pair{320, 180}, std::pair{854, 300}, std::pair{340, 600}}) {
-        OverlayState state;
-        state.help = rows;
-        const Pixels pixels = draw(state, OverlayView::hidden, width, height);
-        // A pixel or two at each edge are free.
-        const double right = 1.5 / width;
-        const double down = 1.5 / height;
-        EXPECT_GT(pixels.drawn(0.3, 0.3, 0.7, 0.7), 0.99) << width;
-        EXPECT_EQ(pixels.drawn(0.0, 0.0, 1.0, down), 0.0) << width;
-        EXPECT_EQ(pixels.drawn(0.0, 1.0 - down, 1.0, 1.0), 0.0) << width;
-        EXPECT_EQ(pixels.drawn(0.0, 0.0, right, 1.0), 0.0) << width;
-        EXPECT_EQ(pixels.drawn(1.0 - right, 0.0, 1.0, 1.0), 0.0) << width;
-    }
-}
-
-/// What of a row of the keys can be clicked in the controls, by the rows' numbers.
-std::set<std::size_t> key_rows(const OverlayControls& controls) {
-    std::set<std::size_t> rows;
-    for (const auto& [area, spot] : controls.spots) {
-        if (spot.part == PanelPart::key) {
-            rows.insert(spot.row);
-        }
-    }
-    return rows;
-}
-
-TEST_F(OverlayTest, every_key_is_on_one_page_of_the_help_inside_the_picture) {
-    const std::vector<HelpRow> rows = many_keys();
-    for (const auto& [width, height] :
-         {std::pair{1280, 720}, std::pair{640, 360}, std::pair{480, 854}, std::pair{320, 240}}) {
-        OverlayState state;
-        state.help = rows;
-        std::size_t pages = 1;
-        std::set<std::size_t> seen;
-        for (state.help_page = 0; state.help_page < pages; ++state.help_page) {
-            const OverlayControls controls = controls_of(state, width, height);
-            pages = controls.help_pages;
-            for (const std::size_t row : key_rows(controls)) {
-                EXPECT_TRUE(seen.insert(row).second) << row << " is on two pages, " << width;
-            }
-            for (const auto& [area, spot] : controls.spots) {
-                EXPECT_GE(area.top, 0.0F) << width;
-                EXPECT_LE(area.bottom, static_cast<float>(height)) << width;
-            }
-        }
-        EXPECT_EQ(seen.size(), rows.size()) << width;
-        EXPECT_EQ(pages > 1, height < 300) << width << " x " << height;
-    }
-}
-
-TEST_F(OverlayTest, a_key_of_the_help_lies_where_it_is_drawn) {
-    const std::vector<HelpRow> rows = {{"VIEW", {"S", "T"}, "stick figure"}};
-    OverlayState state;
-    state.help = rows;
-    const OverlayControls controls = controls_of(state, 1280, 720);
-    std::map<std::size_t, OverlayControls::Area> caps;
-    for (const auto& [area, spot] : controls.spots) {
-        if (spot.part == PanelPart::key) {
-            caps[spot.item] = area;
-        }
-    }
-    ASSERT_EQ(caps.size(), 2U);
-    EXPECT_LT(caps[0].right, caps[1].left);
-    for (const auto& [item, area] : caps) {
-        const auto spot =
-            controls.spot_at((area.left + area.right) / 2.0F, (area.top + area.bottom) / 2.0F);
-        ASSERT_TRUE(spot);
-        EXPECT_EQ(spot->part, PanelPart::key);
-        EXPECT_EQ(spot->item, item);
-    }
-    EXPECT_FALSE(controls.spot_at(1.0F, 1.0F)) << "beside the panel";
-}
-
-TEST_F(OverlayTest, a_list_shows_its_chosen_row_at_any_size) {
-    std::vector<ListRow> rows(1000);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i] = {.text = "row " + std::to_string(i), .is_checked = i % 2 == 0};
-    }
-    rows[3].level_dbfs = std::nanf("");
-    const std::vector<std::string> pages = {"one", "two"};
-    for (const auto& [width, height] :
-         {std::pair{1280, 720}, std::pair{320, 240}, std::pair{64, 64}, std::pair{1, 1}}) {
-        for (const std::size_t chosen : {std::size_t{0}, std::size_t{500}, std::size_t{5000}}) {
-            OverlayState state;
-            state.list = OverlayList{.pages = pages, .rows = rows, .chosen = chosen};
-            const OverlayControls controls = controls_of(state, width, height);
-            const bool is_seen =
-                std::any_of(controls.spots.begin(), controls.spots.end(), [&](const auto& spot) {
-                    return spot.second.part == PanelPart::list_row &&
-                           spot.second.row == std::min(chosen, rows.size() - 1);
-                });
-            EXPECT_TRUE(is_seen) << chosen << " at " << width;
-        }
-    }
-    OverlayState empty;
-    empty.list = OverlayList{.pages = pages};
-    EXPECT_EQ(controls_of(empty, 640, 360).spots.size(), 3U) << "the panel and two pages";
-}
-
 TEST_F(OverlayTest, the_sign_shows_what_a_click_does) {
     OverlayState state = locked_state();
     const auto sign_of = [&](bool is_paused) {
@@ -446,19 +216,6 @@ TEST_F(OverlayTest, the_sign_shows_what_a_click_does) {
     };
     EXPECT_LT(brightness(sign_of(false)), 100) << "bars while it plays";
     EXPECT_GT(brightness(sign_of(true)), 200) << "a triangle while it stands";
-}
-
-TEST_F(OverlayTest, every_part_of_a_line_of_help_is_seen) {
-    const auto picture_of = [&](const HelpRow& row) {
-        const std::vector<HelpRow> rows = {row};
-        OverlayState state;
-        state.help = rows;
-        return draw(state, OverlayView::hidden);
-    };
-    const Pixels usual = picture_of({"VIEW", {"S"}, "stick figure"});
-    EXPECT_NE(picture_of({"TEMPO", {"S"}, "stick figure"}), usual);
-    EXPECT_NE(picture_of({"VIEW", {"S", "T"}, "stick figure"}), usual);
-    EXPECT_NE(picture_of({"VIEW", {"S"}, "avatar"}), usual);
 }
 
 TEST_F(OverlayTest, odd_values_draw_without_harm) {

@@ -90,16 +90,55 @@ TEST(PhraseDiscovery, counts_are_the_beats_of_the_music) {
     EXPECT_TRUE(says(*found, "0.30 s before the first beat of song.mp3"));
 }
 
-TEST(PhraseDiscovery, what_a_figure_cannot_hold_is_said) {
+TEST(PhraseDiscovery, a_long_phrase_has_parts_of_whole_bars_and_nothing_is_lost) {
     test::SteppingDance dance = two_repeats();
     dance.repeats = 12;
     DiscoveryOptions options;
     options.bpm = 120.0;
+    auto found = whole_phrase(test::stepping_clip(dance), options);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->beats, 96);
+    for (const int beats : {2, 64, 65, 96, 97, 128, 129, 961}) {
+        for (const int bar : {2, 3, 4, 5, 7, 12}) {
+            found->beats = beats;
+            const auto parts = phrase_parts(*found, bar);
+            EXPECT_EQ(parts.size() == 1, beats <= kMostFigureBeats);
+            int sum = 0;
+            double end = found->repeats[0].start;
+            for (const FoundRepeats& part : parts) {
+                ASSERT_EQ(part.repeats.size(), 1U);
+                EXPECT_NEAR(part.repeats[0].start, end, 1e-6) << beats << " in bars of " << bar;
+                EXPECT_NEAR(part.tempo(), found->tempo(), 1e-6);
+                EXPECT_GE(part.beats, 1);
+                EXPECT_LE(part.beats, kMostFigureBeats);
+                EXPECT_TRUE(&part == &parts.back() || part.beats % bar == 0);
+                end = part.repeats[0].end;
+                sum += part.beats;
+            }
+            EXPECT_EQ(sum, beats);
+            EXPECT_NEAR(end, found->repeats[0].end, 1e-6);
+        }
+    }
+}
+
+TEST(PhraseDiscovery, parts_of_a_phrase_begin_on_beats_of_its_music) {
+    test::SteppingDance dance = two_repeats();
+    dance.repeats = 12;
+    DiscoveryOptions options;
+    options.music = DancedMusic{};
+    options.music->name = "song.mp3";
+    options.music->duration = 60.0;
+    // It gets slower all the time.
+    for (double at = 0.0; at < 50.0; at += 0.4 + 0.004 * at) {
+        options.music->beats.push_back({at, static_cast<int>(options.music->beats.size() % 4) + 1});
+    }
     const auto found = whole_phrase(test::stepping_clip(dance), options);
     ASSERT_TRUE(found) << found.error().message;
-    EXPECT_EQ(found->beats, 64);
-    EXPECT_NEAR(found->tempo(), 120.0, 0.1);
-    EXPECT_TRUE(says(*found, "it has 96 beats, and a figure holds 64"));
+    const auto parts = phrase_parts(*found, 4);
+    ASSERT_EQ(parts.size(), 2U);
+    const auto beat = static_cast<std::size_t>(parts[0].beats);
+    EXPECT_NEAR(parts[1].repeats[0].start, 60.0 * options.music->beats[beat].seconds, 1e-6);
+    EXPECT_GT(parts[0].tempo(), 1.05 * parts[1].tempo());
 }
 
 TEST(PhraseDiscovery, a_wrong_frame_rate_is_said) {

@@ -14,6 +14,7 @@ namespace raks::motion {
 
 /// Metres of a unit of MikuMikuDance: its first body is 20 units and 1.6 m tall.
 inline constexpr double kMmdMetres = 0.08;
+inline constexpr double kMmdHeight = 1.6;  ///< metres, of bodies that dances are made for
 /// How far the arms of usual bodies hang at rest, degrees below the horizon: 27 to 38.
 inline constexpr double kMmdArmAngle = 35.0;
 

@@ -17,6 +17,15 @@ glm::dquat camera_turn(const glm::dvec3& turn) {
            glm::angleAxis(-turn.z, glm::dvec3(0.0, 0.0, 1.0));
 }
 
+// The frame of a time; one that is all but whole is whole, so that a film of 30 pictures a second
+// cuts where the file does.
+double frame_at(double seconds) {
+    constexpr double kWhole = 0.02;  // of a frame: what times are rounded by
+    const double frame = std::max(0.0, seconds * kMmdRate);
+    const double whole = std::round(frame);
+    return std::abs(frame - whole) < kWhole ? whole : frame;
+}
+
 }  // namespace
 
 Expected<MmdCameraPath> MmdCameraPath::parse(std::string_view bytes, std::string_view name) {
@@ -36,7 +45,7 @@ Expected<MmdCameraPath> MmdCameraPath::parse(std::string_view bytes, std::string
 }
 
 MmdView MmdCameraPath::at(double seconds) const {
-    const double frame = std::max(0.0, seconds * kMmdRate);
+    const double frame = frame_at(seconds);
     const auto behind = std::upper_bound(
         keys_.begin(), keys_.end(), frame, [](double when, const MmdCameraKey& key) {
             return when < static_cast<double>(key.frame);
