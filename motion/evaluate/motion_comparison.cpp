@@ -112,15 +112,15 @@ std::optional<double> frame_of_other(const BodyTrack& one,
 
 /// By frame, whether the toe stands.
 std::vector<bool> standing(const Places& toe, double frames_per_second) {
-    constexpr double kSlow = 0.12;  // m/s
-    constexpr double kNear = 0.03;  // metres above where it is lowest
+    constexpr double kSlow = 0.12;       // m/s
+    constexpr double kLowEnough = 0.03;  // metres above where it is lowest
     constexpr double kLowest = 0.05;
     std::vector<double> heights;
     heights.reserve(toe.size());
     for (const glm::dvec3& place : toe) {
         heights.push_back(place.y);
     }
-    const double low = percentile(heights, kLowest) + kNear;
+    const double low = percentile(heights, kLowest) + kLowEnough;
     const std::vector<double> speed = speeds(smoothed(toe), frames_per_second);
     std::vector<bool> stands(toe.size());
     for (std::size_t frame = 0; frame < toe.size(); ++frame) {
