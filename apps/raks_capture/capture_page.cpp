@@ -358,13 +358,24 @@ std::string body_section(const CaptureReport& report) {
            "0.1 m/s over the floor.</p>\n";
 }
 
+std::string film_section(const CaptureReport& report) {
+    if (report.film.empty()) {
+        return {};
+    }
+    const std::string film = xml_text(report.film);
+    return fmt::format(
+        "<h2>Side by side</h2>\n<p><a href=\"{0}\">{0}</a>, which is not part of this page.</p>\n"
+        "<video controls loop style=\"max-width: 100%\" src=\"{0}\"></video>\n",
+        film);
+}
+
 }  // namespace
 
 std::string capture_page(const CaptureReport& report) {
     return web_page("Capture " + report.name,
                     overview_section(report) + room_section(report) + clocks_section(report) +
                         markers_section(report) + joints_section(report) + flags_section(report) +
-                        edits_section(report) + body_section(report));
+                        edits_section(report) + body_section(report) + film_section(report));
 }
 
 }  // namespace raks::apps

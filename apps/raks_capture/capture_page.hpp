@@ -31,12 +31,14 @@ struct CaptureReport {
     std::vector<capture::Edit> edits;
     std::vector<capture::CameraMove> moves;
     std::optional<BodyFacts> body;
+    /// A film that shows the dance beside others, as the page links it; empty: none.
+    std::string film;
 };
 
 /// The page: what came of the capture in a sentence, and which cameras were moved; the cameras and
 /// the room from above; their clocks; of every marker when it was seen, and how well its place is
 /// known; how sure the angles of a followed body are; what is to be looked at; what was corrected;
-/// the body and its feet. Self-contained, in the style of all reports.
+/// the body and its feet. Self-contained but for the film, in the style of all reports.
 [[nodiscard]] std::string capture_page(const CaptureReport& report);
 
 }  // namespace raks::apps

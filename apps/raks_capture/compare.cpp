@@ -70,16 +70,22 @@ std::string table_of(const motion::MotionComparison& comparison) {
         text += row_of(motion::kBoneNames[index_of(motion::kBodyBones[i])], comparison.joints[i]);
     }
     text += row_of("leftToeTip", comparison.toes[0]) + row_of("rightToeTip", comparison.toes[1]);
-    return text + fmt::format(
-                      "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
-                      "the hips; bones {:.1f} degrees, legs {:.1f}, arms {:.1f}; over {:.1f} s\n",
-                      kInMillimetres * comparison.from_hips,
-                      kInMillimetres * comparison.world,
-                      kInMillimetres * comparison.feet,
-                      comparison.angle,
-                      leg_angle(comparison),
-                      arm_angle(comparison),
-                      comparison.seconds);
+    return text +
+           fmt::format(
+               "joints {:.1f} mm from the hips, {:.1f} mm in the world; feet {:.1f} mm from "
+               "the hips; bones {:.1f} degrees, legs {:.1f}, arms {:.1f}; over {:.1f} s\n",
+               kInMillimetres * comparison.from_hips,
+               kInMillimetres * comparison.world,
+               kInMillimetres * comparison.feet,
+               comparison.angle,
+               leg_angle(comparison),
+               arm_angle(comparison),
+               comparison.seconds) +
+           (comparison.planted_toes
+                ? fmt::format("toes of the other while those of the one stand: 9 of 10 moments "
+                              "slower than {:.2f} m/s\n",
+                              *comparison.planted_toes)
+                : "");
 }
 
 std::string alignment_text(const motion::MotionAlignment& alignment) {
@@ -120,6 +126,9 @@ std::string json_of(const motion::MotionComparison& comparison,
                  {"legs_angle", leg_angle(comparison)},
                  {"arms_angle", arm_angle(comparison)},
                  {"joints", joints}};
+    if (comparison.planted_toes) {
+        json["planted_toes"] = *comparison.planted_toes;
+    }
     if (alignment) {
         json["alignment"] = {{"turn", alignment->turn},
                              {"move", {alignment->move.x, alignment->move.y, alignment->move.z}},

@@ -111,6 +111,14 @@ Expected<CaptureReport> gather(const CapturePlan& plan, const ReportArguments& a
     return report;
 }
 
+// The film as a page links it.
+std::string film_beside(const Path& page, const Path& film) {
+    std::error_code problem;
+    const Path folder = std::filesystem::absolute(page, problem).parent_path();
+    const Path beside = std::filesystem::relative(film, folder, problem);
+    return (problem || beside.empty() ? film : beside).generic_string();
+}
+
 }  // namespace
 
 ExitCode report_capture(const ReportArguments& arguments) {
@@ -118,11 +126,14 @@ ExitCode report_capture(const ReportArguments& arguments) {
     if (!plan) {
         return fail(plan.error());
     }
-    const auto report = gather(*plan, arguments);
+    auto report = gather(*plan, arguments);
     if (!report) {
         return fail(report.error());
     }
     const Path output = arguments.output.empty() ? plan->file("report.html") : arguments.output;
+    if (const Path film = plan->file("side_by_side.mp4"); is_there(film)) {
+        report->film = film_beside(output, film);
+    }
     if (auto written = write_file(output, capture_page(*report)); !written) {
         return fail(std::move(written.error()));
     }

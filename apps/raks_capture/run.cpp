@@ -13,10 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "apps/dances/tracked_counts.hpp"
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
+#include "apps/raks_capture/learning_line.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
@@ -77,18 +79,24 @@ Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
     return begins ? std::optional((tracks->first_time - *begins) / (1.0 + drift * 1e-6)) : begins;
 }
 
-// A word of a command line that a shell takes as one.
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view kPlain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+./,:@%";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-        return word;
+// The song with its beats; nothing: none was heard.
+Expected<std::optional<DancedSong>> danced_song(const CapturePlan& plan) {
+    const auto offset = song_offset(plan);
+    if (!offset) {
+        return fail(offset.error());
     }
-    std::string quoted = "'";
-    for (const char c : word) {
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    if (!*offset) {
+        return std::optional<DancedSong>();
     }
-    return quoted + "'";
+    DancedSong song;
+    song.file = plan.file(plan.music);
+    auto counts = track_counts(song.file);
+    if (!counts) {
+        return fail(std::move(counts.error()));
+    }
+    song.music = std::move(counts->music);
+    song.music.offset = **offset;
+    return std::optional(std::move(song));
 }
 
 // Ends with the line that learns the dance, or says why there is none.
@@ -103,21 +111,14 @@ ExitCode say_what_is_next(const CapturePlan& plan) {
             return kExitPartly;
         }
     }
-    const auto offset = song_offset(plan);
-    if (!offset) {
-        return fail(offset.error());
+    const auto song = danced_song(plan);
+    if (!song) {
+        return fail(song.error());
     }
-    const std::string clip = shell_word(plan.file("dance.bvh").string());
-    if (!*offset) {
-        print_text("raks train figure " + clip + " -o mine\n");
-        return kExitDone;
-    }
-    const std::string song = fmt::format(
-        " --music {} --offset {:.4f}", shell_word(plan.file(plan.music).string()), **offset);
-    if (plan.is_markerless) {
-        say("improvised, without figures: raks train take " + clip + song + " -o mine");
-    }
-    print_text("raks train figure " + clip + song + " -o mine\n");
+    const Path clip = plan.file("dance.bvh");
+    const Learnable what = what_can_be_learnt(
+        clip, *song ? std::optional((*song)->music) : std::optional<motion::DancedMusic>());
+    print_text(learning_line(clip, *song, what) + "\n");
     return kExitDone;
 }
 

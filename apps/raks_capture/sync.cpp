@@ -69,41 +69,87 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
     return plan;
 }
 
-// Clocks of cameras that heard nothing, by what moves; those that were heard are checked by it.
-// Without keypoints nothing changes.
-void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
+// What its sound does not tell is no trouble any more, once a clock is known otherwise.
+void forget_sound_of(const CameraSync& camera, const SyncPlan& plan, SyncResult& result) {
+    std::vector<std::string> begins = {camera.camera + ": "};
+    for (const CameraSound& sound : plan.cameras) {
+        if (sound.camera == camera.camera) {
+            begins.push_back(sound.file.string() + ": ");
+        }
+    }
+    auto& warnings = result.warnings;
+    warnings.erase(std::remove_if(warnings.begin(),
+                                  warnings.end(),
+                                  [&begins](const std::string& line) {
+                                      return std::any_of(begins.begin(),
+                                                         begins.end(),
+                                                         [&line](const std::string& begin) {
+                                                             return line.rfind(begin, 0) == 0;
+                                                         });
+                                  }),
+                   warnings.end());
+}
+
+// Gives cameras without a clock theirs of `clocks`.
+void give_clocks(const std::vector<capture::Clock>& clocks,
+                 const std::string& through,
+                 const SyncPlan& plan,
+                 SyncResult& result) {
+    for (CameraSync& camera : result.cameras) {
+        for (const capture::Clock& clock : clocks) {
+            if (!camera.clock && clock.camera == camera.camera) {
+                camera.clock = clock;
+                camera.through = through;
+                camera.is_by_hand = through.empty();
+                forget_sound_of(camera, plan, result);
+            }
+        }
+    }
+    result.is_whole =
+        result.clocks().size() == result.cameras.size() && (!plan.music || result.song.has_value());
+}
+
+// The clocks of clocks.toml where all of them are known for sure: a person set them, or a studio
+// drew the films. Else, and without the file: none.
+std::vector<capture::Clock> known_clocks(const CapturePlan& plan) {
+    const fs::path file = plan.file("clocks.toml");
+    const auto text = is_there(file) ? read_text_file(file, kMostBytes) : std::string();
+    const auto clocks = text && !text->empty() ? capture::read_clocks(*text, file.string())
+                                               : std::vector<capture::Clock>();
+    const bool are_known =
+        clocks && std::all_of(clocks->begin(), clocks->end(), [](const capture::Clock& clock) {
+            return clock.confidence >= 1.0;
+        });
+    return are_known ? *clocks : std::vector<capture::Clock>();
+}
+
+// Clocks of cameras that heard nothing: where none did, those that are known already, else by what
+// moves; those that were heard are checked by it. Without keypoints nothing changes.
+void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, SyncResult& result) {
     const auto capture = load_capture_plan(arguments.folder);
     if (!capture || arguments.is_of_boards || !has_keypoints(*capture)) {
         return;
     }
-    const std::vector<capture::Clock> heard = result.clocks();
-    if (heard.size() == result.cameras.size()) {
-        for (const std::string& line : check_by_motion(*capture, heard)) {
+    const bool is_heard = !result.clocks().empty();
+    if (!is_heard) {
+        give_clocks(known_clocks(*capture), "", plan, result);
+    }
+    const std::vector<capture::Clock> told = result.clocks();
+    if (told.size() == result.cameras.size()) {
+        for (const std::string& line :
+             is_heard
+                 ? check_by_motion(*capture, told)
+                 : std::vector<std::string>{"no film has sound: the clocks stay as they are"}) {
             say(line);
         }
         return;
     }
-    const auto clocks = clocks_by_motion(*capture, heard, arguments.within);
+    const auto clocks = clocks_by_motion(*capture, told, arguments.within);
     if (!clocks) {
         result.warnings.push_back("by what moves: " + clocks.error().message);
         return;
     }
-    for (CameraSync& camera : result.cameras) {
-        for (const capture::Clock& clock : *clocks) {
-            if (!camera.clock && clock.camera == camera.camera) {
-                camera.clock = clock;
-                camera.through = "motion";
-                // What its sound does not tell is no trouble any more.
-                auto& warnings = result.warnings;
-                warnings.erase(std::remove_if(warnings.begin(),
-                                              warnings.end(),
-                                              [&camera](const std::string& line) {
-                                                  return line.rfind(camera.camera + ": ", 0) == 0;
-                                              }),
-                               warnings.end());
-            }
-        }
-    }
+    give_clocks(*clocks, "motion", plan, result);
     say("no sound tells all clocks: what moves in the films told the others, within some "
         "10 milliseconds");
 }
@@ -144,7 +190,7 @@ ExitCode sync_capture(const SyncArguments& arguments) {
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }
-    tell_by_motion(arguments, *result);
+    tell_without_sound(arguments, *plan, *result);
     for (const std::string& warning : result->warnings) {
         say(warning);
     }

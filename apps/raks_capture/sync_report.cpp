@@ -23,6 +23,9 @@ std::string origin_of(const CameraSync& camera) {
     if (camera.through.empty()) {
         return "the capture's clock";
     }
+    if (camera.compared == 0) {
+        return "told by " + printable(camera.through, 60);
+    }
     return fmt::format("{} of {} stretches agree with {}",
                        camera.used,
                        camera.compared,

@@ -12,7 +12,7 @@
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/found_repeats.hpp"
 #include "apps/raks_train/likelihoods.hpp"
-#include "apps/raks_train/tracked_counts.hpp"
+#include "apps/dances/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/dance_list.hpp"
 #include "base/pending_file.hpp"

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
+
+#include "base/statistics.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -91,6 +94,58 @@ void summarize_joints(MotionComparison& comparison) {
     comparison.angle /= bones;
 }
 
+/// The frame of `other`, fractional, at a frame of `one`; nothing: it has none then.
+std::optional<double> frame_of_other(const BodyTrack& one,
+                                     const BodyTrack& other,
+                                     double shift,
+                                     std::size_t frame) {
+    const double seconds = static_cast<double>(frame) / one.frames_per_second - shift;
+    const double at = seconds * other.frames_per_second;
+    // Rounding of a rate in a file must not lose the last frame.
+    constexpr double kNearly = 1e-3;
+    const double last = static_cast<double>(other.frames()) - 1.0;
+    if (at < -kNearly || at > last + kNearly) {
+        return std::nullopt;
+    }
+    return std::clamp(at, 0.0, last);
+}
+
+/// By frame, whether the toe stands.
+std::vector<bool> standing(const Places& toe, double frames_per_second) {
+    constexpr double kSlow = 0.12;       // m/s
+    constexpr double kLowEnough = 0.03;  // metres above where it is lowest
+    constexpr double kLowest = 0.05;
+    std::vector<double> heights;
+    heights.reserve(toe.size());
+    for (const glm::dvec3& place : toe) {
+        heights.push_back(place.y);
+    }
+    const double low = percentile(heights, kLowest) + kLowEnough;
+    const std::vector<double> speed = speeds(smoothed(toe), frames_per_second);
+    std::vector<bool> stands(toe.size());
+    for (std::size_t frame = 0; frame < toe.size(); ++frame) {
+        stands[frame] = speed[frame] < kSlow && heights[frame] < low;
+    }
+    return stands;
+}
+
+std::optional<double> planted_toes(const BodyTrack& one, const BodyTrack& other, double shift) {
+    constexpr double kNineTenths = 0.9;
+    std::vector<double> planted;
+    for (const Side side : {Side::left, Side::right}) {
+        const std::vector<bool> stands = standing(toe_places(one, side), one.frames_per_second);
+        const std::vector<double> speed =
+            speeds(smoothed(toe_places(other, side)), other.frames_per_second);
+        for (std::size_t frame = 0; frame < one.frames(); ++frame) {
+            const auto at = frame_of_other(one, other, shift, frame);
+            if (at && stands[frame]) {
+                planted.push_back(speed[static_cast<std::size_t>(std::lround(*at))]);
+            }
+        }
+    }
+    return planted.empty() ? std::nullopt : std::optional(percentile(planted, kNineTenths));
+}
+
 }  // namespace
 
 Expected<MotionComparison> compare_motions(const BodyTrack& one,
@@ -99,15 +154,8 @@ Expected<MotionComparison> compare_motions(const BodyTrack& one,
     MotionComparison comparison;
     double count = 0.0;
     for (std::size_t frame = 0; frame < one.frames(); ++frame) {
-        const double seconds = static_cast<double>(frame) / one.frames_per_second - shift;
-        const double at = seconds * other.frames_per_second;
-        // Rounding of a rate in a file must not lose the last frame.
-        constexpr double kNearly = 1e-3;
-        const double last = static_cast<double>(other.frames()) - 1.0;
-        if (at >= -kNearly && at <= last + kNearly) {
-            add(moment_at(one, static_cast<double>(frame)),
-                moment_at(other, std::clamp(at, 0.0, last)),
-                comparison);
+        if (const auto at = frame_of_other(one, other, shift, frame)) {
+            add(moment_at(one, static_cast<double>(frame)), moment_at(other, *at), comparison);
             count += 1.0;
         }
     }
@@ -125,6 +173,7 @@ Expected<MotionComparison> compare_motions(const BodyTrack& one,
     std::for_each(comparison.toes.begin(), comparison.toes.end(), divide);
     comparison.seconds = count / one.frames_per_second;
     summarize_joints(comparison);
+    comparison.planted_toes = planted_toes(one, other, shift);
     return comparison;
 }
 

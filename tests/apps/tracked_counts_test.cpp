@@ -1,5 +1,5 @@
 // Counts from the music danced to: what is tracked in a rendered salsa against its exact beats.
-#include "apps/raks_train/tracked_counts.hpp"
+#include "apps/dances/tracked_counts.hpp"
 
 #include <gtest/gtest.h>
 

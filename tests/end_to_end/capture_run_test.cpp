@@ -66,7 +66,8 @@ TEST_F(CaptureRun, does_what_is_missing_or_outdated_and_nothing_else) {
     EXPECT_TRUE(has("tracks.csv"));
     EXPECT_TRUE(has("dance.bvh"));
     EXPECT_TRUE(has("report.html"));
-    EXPECT_EQ(first.out, "raks train figure " + path("take") + "/dance.bvh -o mine\n");
+    // A second in which nothing repeats, and no song that tells its beats.
+    EXPECT_EQ(first.out, "raks train figure " + path("take") + "/dance.bvh --once -o mine\n");
 
     const auto again = run({"run", path("take")});
     EXPECT_EQ(again.exit_code, 0) << again.err;
@@ -129,6 +130,11 @@ TEST_F(CaptureRun, reports_of_what_there_is_so_far) {
     const auto result = run({"report", path("take"), "-o", path("page.html")});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(fs::exists(path("page.html")));
+    const auto page = [this] { return *read_text_file(folder_ / "page.html", 1'000'000); };
+    EXPECT_EQ(page().find("<video"), std::string::npos);
+    ASSERT_TRUE(write_file(folder_ / "take/side_by_side.mp4", "a film"));
+    EXPECT_EQ(run({"report", path("take"), "-o", path("page.html")}).exit_code, 0);
+    EXPECT_NE(page().find("src=\"take/side_by_side.mp4\""), std::string::npos);
     expect_one_line({"report", path("take"), "--truth", path("take") + "/truth"},
                     1,
                     "has no tracks to compare");

@@ -13,6 +13,7 @@
 #include "motion/capture/solving/body_size.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -25,7 +26,9 @@ constexpr double kSmoothing = 0.08;      // seconds
 constexpr double kPlantedSpeed = 0.3;    // m/s
 constexpr double kShortestStand = 0.12;  // seconds
 constexpr std::size_t kFewestSteps = 6;
-constexpr double kStepDeviation = 0.03;  // metres of a standing foot's height
+// Metres of a standing foot's height: a network sees it higher or lower the same way each time the
+// foot stands in one place, and heels are raised, so that many steps tell hardly more than a few.
+constexpr double kStepDeviation = 0.1;
 constexpr double kLeanDeviation = 0.05;  // radians of the body's mean lean
 constexpr double kMostLean = 0.6;        // radians of a body that stands
 
@@ -122,23 +125,63 @@ std::vector<Step> steps_of(const DancerSights& sights) {
     return steps;
 }
 
-// From the middle of the feet to that of the trunk, on average over the take. Ankles lie behind the
-// middle of the feet, so toes count as much. None: never seen whole.
+// A part of the body: its share of the mass, and how far along it its centre lies; rounded from
+// Winter, Biomechanics and Motor Control of Human Movement, table 4.1. The right side is alike.
+struct BodyPart {
+    BodyPoint from;
+    BodyPoint to;
+    double mass;
+    double centre;
+};
+constexpr std::array<BodyPart, 13> kParts = {{
+    {BodyPoint::left_ear, BodyPoint::right_ear, 0.08, 0.5},
+    {BodyPoint::left_shoulder, BodyPoint::left_hip, 0.25, 0.5},
+    {BodyPoint::right_shoulder, BodyPoint::right_hip, 0.25, 0.5},
+    {BodyPoint::left_shoulder, BodyPoint::left_elbow, 0.027, 0.44},
+    {BodyPoint::right_shoulder, BodyPoint::right_elbow, 0.027, 0.44},
+    {BodyPoint::left_elbow, BodyPoint::left_wrist, 0.023, 0.6},
+    {BodyPoint::right_elbow, BodyPoint::right_wrist, 0.023, 0.6},
+    {BodyPoint::left_hip, BodyPoint::left_knee, 0.1, 0.43},
+    {BodyPoint::right_hip, BodyPoint::right_knee, 0.1, 0.43},
+    {BodyPoint::left_knee, BodyPoint::left_ankle, 0.046, 0.43},
+    {BodyPoint::right_knee, BodyPoint::right_ankle, 0.046, 0.43},
+    {BodyPoint::left_ankle, BodyPoint::left_foot_index, 0.014, 0.5},
+    {BodyPoint::right_ankle, BodyPoint::right_foot_index, 0.014, 0.5},
+}};
+
+// The body's centre of mass; none: less than nine tenths of it are seen, arms but for one.
+std::optional<glm::dvec3> centre_of_mass(const DancerSights& sights, std::size_t frame) {
+    constexpr double kEnough = 0.9;
+    glm::dvec3 sum{};
+    double mass = 0.0;
+    for (const BodyPart& part : kParts) {
+        const auto from = sights.at(frame, part.from);
+        const auto to = sights.at(frame, part.to);
+        if (from && to) {
+            sum += part.mass * glm::mix(*from, *to, part.centre);
+            mass += part.mass;
+        }
+    }
+    return mass >= kEnough ? std::optional(sum / mass) : std::nullopt;
+}
+
+// From the ground to the centre of mass, on average over the take: who does not fall carries it
+// over the feet, however the trunk is held. Weight rests a quarter of the way from ankles to toes.
+// None: never seen whole.
 std::optional<glm::dvec3> mean_lean(const DancerSights& sights) {
-    constexpr std::array<BodyPoint, 4> kGround = {BodyPoint::left_ankle,
-                                                  BodyPoint::right_ankle,
-                                                  BodyPoint::left_foot_index,
-                                                  BodyPoint::right_foot_index};
-    constexpr std::array<BodyPoint, 4> kTrunk = {BodyPoint::left_shoulder,
-                                                 BodyPoint::right_shoulder,
-                                                 BodyPoint::left_hip,
-                                                 BodyPoint::right_hip};
+    constexpr std::array<BodyPoint, 2> kAnkles = {BodyPoint::left_ankle, BodyPoint::right_ankle};
+    constexpr std::array<BodyPoint, 2> kToes = {BodyPoint::left_foot_index,
+                                                BodyPoint::right_foot_index};
+    constexpr double kTowardsToes = 0.25;
     std::array<std::vector<double>, 3> axes;
     for (std::size_t frame = 0; frame < sights.frames(); ++frame) {
-        const auto ground = sights.middle(frame, kGround);
-        const auto trunk = sights.middle(frame, kTrunk);
-        if (ground && trunk && glm::distance(*ground, *trunk) > 0.1) {
-            const glm::dvec3 up = glm::normalize(*trunk - *ground);
+        const auto ankles = sights.middle(frame, kAnkles);
+        const auto toes = sights.middle(frame, kToes);
+        const auto centre = centre_of_mass(sights, frame);
+        const auto ground =
+            ankles && toes ? std::optional(glm::mix(*ankles, *toes, kTowardsToes)) : std::nullopt;
+        if (ground && centre && glm::distance(*ground, *centre) > 0.1) {
+            const glm::dvec3 up = glm::normalize(*centre - *ground);
             for (glm::length_t axis = 0; axis < 3; ++axis) {
                 axes[static_cast<std::size_t>(axis)].push_back(up[axis]);
             }

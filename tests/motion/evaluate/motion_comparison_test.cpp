@@ -78,5 +78,23 @@ TEST(MotionComparison, refuses_motions_that_never_meet) {
     EXPECT_FALSE(compare_motions(walking(60.0, 1.0), BodyTrack{}));
 }
 
+TEST(MotionComparison, tells_how_fast_toes_are_that_should_stand) {
+    const auto standing = [](double speed) {
+        std::vector<Pose> poses(61);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            poses[i].hips_position =
+                glm::vec3(static_cast<float>(speed * static_cast<double>(i) / 30.0), 0.93F, 0.0F);
+        }
+        return body_track(mannequin_skeleton(), poses, 30.0);
+    };
+    const auto slides = compare_motions(standing(0.0), standing(0.35));
+    ASSERT_TRUE(slides && slides->planted_toes);
+    EXPECT_NEAR(*slides->planted_toes, 0.35, 1e-3);
+    // Toes that step are none that slide.
+    const auto steps = compare_motions(standing(0.5), standing(0.35));
+    ASSERT_TRUE(steps);
+    EXPECT_FALSE(steps->planted_toes);
+}
+
 }  // namespace
 }  // namespace raks::motion

@@ -1,4 +1,4 @@
-#include "apps/raks_train/tracked_counts.hpp"
+#include "apps/dances/tracked_counts.hpp"
 
 #include <algorithm>
 #include <cmath>
