@@ -70,10 +70,10 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
 }
 
 // Clocks of cameras that heard nothing, by what moves; those that were heard are checked by it.
-// Without keypoints nothing changes.
+// Without keypoints or spots nothing changes.
 void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
     const auto capture = load_capture_plan(arguments.folder);
-    if (!capture || arguments.is_of_boards || !has_keypoints(*capture)) {
+    if (!capture || arguments.is_of_boards || !has_motion(*capture)) {
         return;
     }
     const std::vector<capture::Clock> heard = result.clocks();
@@ -89,7 +89,7 @@ void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
         return;
     }
     for (CameraSync& camera : result.cameras) {
-        for (const capture::Clock& clock : *clocks) {
+        for (const capture::Clock& clock : clocks->clocks) {
             if (!camera.clock && clock.camera == camera.camera) {
                 camera.clock = clock;
                 camera.through = "motion";
@@ -106,6 +106,8 @@ void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
     }
     say("no sound tells all clocks: what moves in the films told the others, within some "
         "10 milliseconds");
+    result.is_whole = result.is_whole && clocks->doubts.empty();
+    result.warnings.insert(result.warnings.end(), clocks->doubts.begin(), clocks->doubts.end());
 }
 
 // The clocks of the cameras, and that of the song.
