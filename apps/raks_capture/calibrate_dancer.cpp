@@ -15,6 +15,7 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "motion/capture/calibration/lens_fit.hpp"
+#include "motion/capture/markerless/rough_clocks.hpp"
 
 namespace raks::apps {
 namespace {
@@ -88,6 +89,10 @@ Expected<capture::DancerCalibration> calibrate_by_dancer(const CapturePlan& plan
     const auto seen = load_keypoint_take(plan);
     if (!seen) {
         return fail(seen.error());
+    }
+    if (std::string mirrored = capture::why_mirrored(seen->films, seen->clocks);
+        !mirrored.empty()) {
+        return fail(std::move(mirrored));
     }
     const auto cameras = dancer_cameras(plan, seen->films);
     if (!cameras) {

@@ -55,9 +55,11 @@ Expected<std::vector<capture::Clock>> clocks_of(const CapturePlan& plan) {
                 return other.camera == camera.name;
             });
         if (clock == read->end()) {
-            return fail(fmt::format("{}: camera {} has no clock; run raks capture sync again",
-                                    plan.file("clocks.toml").string(),
-                                    camera.name));
+            return fail(
+                fmt::format("{}: camera {} has no clock: run raks capture sync again, or set it by "
+                            "hand (--offsets)",
+                            plan.file("clocks.toml").string(),
+                            camera.name));
         }
         clocks.push_back(*clock);
     }

@@ -7,10 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "apps/raks_capture/capture_files.hpp"
+#include "apps/raks_capture/film_detections.hpp"
+#include "apps/raks_capture/film_step.hpp"
 #include "apps/raks_capture/keypoint_files.hpp"
 #include "base/file.hpp"
 #include "motion/capture/dancer_rig/dancer_calibration.hpp"
 #include "motion/capture/markerless/motion_sync.hpp"
+#include "motion/capture/markerless/rough_clocks.hpp"
 
 namespace raks::apps {
 namespace {
@@ -18,8 +22,15 @@ namespace {
 constexpr double kRate = 30.0;      // frames a second that cameras are placed by
 constexpr double kMostOff = 0.025;  // seconds between sound and motion that are not said
 
+/// Cameras that are placed, what moves before them, and how their clocks are told from it.
+struct MovingScene {
+    capture::Rig rig;
+    std::vector<capture::MovingSights> sights;
+    capture::MotionSyncOptions options;
+};
+
 // The joints of a network tremble, and so do these clocks: drift is left to what is heard.
-Expected<capture::MotionSync> refined(const CapturePlan& plan,
+Expected<MovingScene> scene_of_joints(const CapturePlan& plan,
                                       const std::vector<capture::KeypointFilm>& films,
                                       const std::vector<capture::Clock>& start) {
     const auto take = capture::keypoint_take(films, start, kRate);
@@ -33,19 +44,71 @@ Expected<capture::MotionSync> refined(const CapturePlan& plan,
         error += capture::usual_error(*take, i) / static_cast<double>(films.size());
     }
     const double height = plan.height > 0.0 ? plan.height : capture::kUsualHeight;
-    const auto placed = capture::calibrate_by_dancer(*take, cameras, height);
+    auto placed = capture::calibrate_by_dancer(*take, cameras, height);
     if (!placed) {
-        return fail(placed.error());
+        return fail(std::move(placed.error()));
     }
-    std::vector<capture::MovingSights> sights;
+    MovingScene scene{std::move(placed->rig), {}, {}};
     for (std::size_t i = 0; i < films.size(); ++i) {
-        sights.emplace_back(films[i], placed->rig.cameras[i].lens);
+        scene.sights.emplace_back(films[i], scene.rig.cameras[i].lens);
     }
-    capture::MotionSyncOptions options;
     // Twice what a joint is usually off: a tighter bound follows the trembling.
-    options.error = 2.0 * error;
-    options.fits_drift = false;
-    return capture::sync_by_motion(placed->rig, sights, start, options);
+    scene.options.error = 2.0 * error;
+    scene.options.fits_drift = false;
+    return scene;
+}
+
+// Spots of markers, and the rig that a board has calibrated.
+Expected<MovingScene> scene_of_spots(const CapturePlan& plan) {
+    const auto rig = load_capture_rig(plan);
+    const auto markers = rig ? load_markers(plan) : fail(rig.error());
+    if (!markers) {
+        return fail(markers.error());
+    }
+    std::vector<capture::MarkerLabel> labels;
+    if (is_there(plan.file("labels.tsv"))) {
+        auto read = load_labels(plan.file("labels.tsv"));
+        if (!read) {
+            return fail(std::move(read.error()));
+        }
+        labels = std::move(*read);
+    }
+    const auto seen =
+        seen_by_cameras(plan, *rig, *markers, labels, capture::ChromaForm::normalised);
+    if (!seen) {
+        return fail(seen.error());
+    }
+    MovingScene scene;
+    for (const PlannedCamera& camera : plan.cameras) {
+        const auto place = rig->index_of(camera.name);
+        const auto film =
+            std::find_if(seen->films.begin(), seen->films.end(), [&camera](const auto& one) {
+                return one.camera == camera.name;
+            });
+        if (!place || film == seen->films.end()) {
+            return fail(camera.name + ": is not calibrated, or no spots of it are there");
+        }
+        scene.rig.cameras.push_back(rig->cameras[*place]);
+        scene.sights.emplace_back(*film, rig->cameras[*place].lens);
+    }
+    return scene;
+}
+
+Expected<capture::MotionSync> synced(const MovingScene& scene,
+                                     const std::vector<capture::Clock>& start) {
+    return capture::sync_by_motion(scene.rig, scene.sights, start, scene.options);
+}
+
+// When the films were recorded, as they say it themselves.
+std::vector<std::optional<double>> dates_of(const CapturePlan& plan) {
+    std::vector<std::optional<double>> dates;
+    for (const PlannedCamera& camera : plan.cameras) {
+        const auto film = camera.film.empty()
+                              ? fail(camera.name)
+                              : open_film({camera.name, plan.file(camera.film), 0, 0}, {});
+        dates.push_back(film ? (*film)->info().recorded : std::nullopt);
+    }
+    return dates;
 }
 
 const capture::Clock* clock_named(const std::vector<capture::Clock>& clocks,
@@ -56,8 +119,6 @@ const capture::Clock* clock_named(const std::vector<capture::Clock>& clocks,
     return found == clocks.end() ? nullptr : &*found;
 }
 
-}  // namespace
-
 bool has_keypoints(const CapturePlan& plan) {
     return plan.cameras.size() >= 2 &&
            std::all_of(plan.cameras.begin(), plan.cameras.end(), [&](const PlannedCamera& camera) {
@@ -65,56 +126,117 @@ bool has_keypoints(const CapturePlan& plan) {
            });
 }
 
-Expected<std::vector<capture::Clock>> clocks_by_motion(const CapturePlan& plan,
-                                                       const std::vector<capture::Clock>& heard,
-                                                       double within) {
-    const auto films = load_keypoints(plan);
-    if (!films) {
-        return fail(films.error());
-    }
-    auto clocks = capture::rough_clocks(*films, within);
-    if (!clocks) {
-        return clocks;
-    }
-    // Those that were heard stay, and the others follow the first of them.
+// Those that were heard stay, and the others follow the first of them.
+void keep_heard(const std::vector<capture::Clock>& heard, std::vector<capture::Clock>& clocks) {
     double moved = 0.0;
-    for (const capture::Clock& clock : *clocks) {
+    for (const capture::Clock& clock : clocks) {
         if (const capture::Clock* const known = clock_named(heard, clock.camera)) {
             moved = known->offset - clock.offset;
             break;
         }
     }
-    for (capture::Clock& clock : *clocks) {
+    for (capture::Clock& clock : clocks) {
         const capture::Clock* const known = clock_named(heard, clock.camera);
         clock.offset += moved;
         clock = known != nullptr ? *known : clock;
     }
-    auto better = refined(plan, *films, *clocks);
-    if (!better) {
-        return fail(std::move(better.error()));
+}
+
+Expected<MotionClocks> clocks_by_joints(const CapturePlan& plan,
+                                        const std::vector<capture::Clock>& heard,
+                                        double within) {
+    const auto films = load_keypoints(plan);
+    if (!films) {
+        return fail(films.error());
     }
-    for (std::size_t i = 0; i < clocks->size(); ++i) {
-        if (clock_named(heard, (*clocks)[i].camera) == nullptr) {
-            better->clocks[i].confidence = (*clocks)[i].confidence;
-            (*clocks)[i] = better->clocks[i];
+    auto rough = capture::rough_clocks(*films, {within, dates_of(plan)});
+    if (!rough) {
+        return fail(std::move(rough.error()));
+    }
+    std::vector<capture::Clock>& clocks = rough->clocks;
+    keep_heard(heard, clocks);
+    const auto scene = scene_of_joints(plan, *films, clocks);
+    const auto better = scene ? synced(*scene, clocks) : fail(scene.error());
+    if (!better) {
+        return fail(better.error());
+    }
+    for (std::size_t i = 0; i < clocks.size(); ++i) {
+        if (clock_named(heard, clocks[i].camera) == nullptr) {
+            const double confidence = clocks[i].confidence;
+            clocks[i] = better->clocks[i];
+            clocks[i].confidence = confidence;
         }
     }
+    return MotionClocks{std::move(clocks), std::move(rough->doubts)};
+}
+
+Expected<MotionClocks> clocks_by_spots(const CapturePlan& plan,
+                                       const std::vector<capture::Clock>& heard,
+                                       double within) {
+    constexpr double kFarthest = 10.0;  // seconds that cameras may be apart
+    auto scene = scene_of_spots(plan);
+    if (!scene) {
+        return fail(std::move(scene.error()));
+    }
+    std::vector<capture::Clock> start;
+    for (const PlannedCamera& camera : plan.cameras) {
+        start.push_back({camera.name, 0.0, 0.0, 1.0});
+    }
+    keep_heard(heard, start);
+    scene->options.reach = std::min(within, kFarthest);
+    auto found = synced(*scene, start);
+    if (!found) {
+        return fail(std::move(found.error()));
+    }
+    MotionClocks clocks{std::move(found->clocks), {}};
+    constexpr double kMostMiss = 4.0;  // pixels that spots are off where all is right
+    if (found->distance > kMostMiss) {
+        clocks.doubts.push_back(fmt::format(
+            "by what moves: the markers of two cameras are {:.0f} pixels off each "
+            "other's lines: were the cameras started within {:.0f} s, and do they stand "
+            "as they were calibrated?",
+            found->distance,
+            scene->options.reach));
+    }
+    keep_heard(heard, clocks.clocks);
     return clocks;
+}
+
+}  // namespace
+
+bool has_motion(const CapturePlan& plan) {
+    const bool has_spots =
+        is_there(plan.file("detections.csv")) || is_there(plan.file("labels.tsv"));
+    return has_keypoints(plan) || (plan.cameras.size() >= 2 && !plan.is_markerless && has_spots &&
+                                   is_there(plan.file("rig.toml")));
+}
+
+Expected<MotionClocks> clocks_by_motion(const CapturePlan& plan,
+                                        const std::vector<capture::Clock>& heard,
+                                        double within) {
+    return has_keypoints(plan) ? clocks_by_joints(plan, heard, within)
+                               : clocks_by_spots(plan, heard, within);
 }
 
 std::vector<std::string> check_by_motion(const CapturePlan& plan,
                                          const std::vector<capture::Clock>& heard) {
-    const auto films = load_keypoints(plan);
     std::vector<capture::Clock> start;
     for (const PlannedCamera& camera : plan.cameras) {
         if (const capture::Clock* const known = clock_named(heard, camera.name)) {
             start.push_back(*known);
         }
     }
-    if (!films || start.size() != films->size()) {
+    if (start.size() != plan.cameras.size()) {
         return {};
     }
-    const auto moved = refined(plan, *films, start);
+    const auto scene = [&]() -> Expected<MovingScene> {
+        if (!has_keypoints(plan)) {
+            return scene_of_spots(plan);
+        }
+        const auto films = load_keypoints(plan);
+        return films ? scene_of_joints(plan, *films, start) : fail(films.error());
+    }();
+    const auto moved = scene ? synced(*scene, start) : fail(scene.error());
     if (!moved) {
         return {fmt::format("the clocks could not be checked by what moves: {}",
                             moved.error().message)};

@@ -10,16 +10,25 @@
 
 namespace raks::apps {
 
-/// Whether keypoints of every camera are there to tell clocks from.
-[[nodiscard]] bool has_keypoints(const CapturePlan& plan);
+/// Whether there is something to tell clocks from: keypoints of every camera, or spots of markers
+/// (detections.csv, or labels to find them in the films by) and a rig.
+[[nodiscard]] bool has_motion(const CapturePlan& plan);
 
-/// The clocks of all cameras by motion, where nothing, or too little, was heard: how the joints go
-/// up and down tells them roughly; then the cameras are placed by the dancer, and the clocks moved
-/// until epipolar lines are met. `heard`: clocks that sound has told; the others follow their first
-/// one. `within`: as raks capture sync --within. Errors: those of rough_clocks, calibrate_by_dancer
-/// and sync_by_motion.
-[[nodiscard]] Expected<std::vector<capture::Clock>> clocks_by_motion(
-    const CapturePlan& plan, const std::vector<capture::Clock>& heard, double within);
+/// Clocks, and what is doubtful about them.
+struct MotionClocks {
+    std::vector<capture::Clock> clocks;  ///< of all cameras
+    std::vector<std::string> doubts;     ///< one line each
+};
+
+/// The clocks of all cameras by motion, where nothing, or too little, was heard. Of a dancer's
+/// joints: how they go up and down tells them roughly, then the cameras are placed by the dancer,
+/// and the clocks moved until epipolar lines are met. Of markers: by the epipolar lines of the rig,
+/// within ten seconds at most. `heard`: clocks that sound has told; the others follow their first
+/// one. `within`: as raks capture sync --within. Errors: those of rough_clocks,
+/// calibrate_by_dancer, sync_by_motion and of the files.
+[[nodiscard]] Expected<MotionClocks> clocks_by_motion(const CapturePlan& plan,
+                                                      const std::vector<capture::Clock>& heard,
+                                                      double within);
 
 /// Checks clocks that were heard by what moves: a line for each that is off by more than 25 ms, and
 /// one that tells how far they are apart. Nothing where motion cannot tell.

@@ -124,10 +124,10 @@ std::vector<capture::Clock> known_clocks(const CapturePlan& plan) {
 }
 
 // Clocks of cameras that heard nothing: where none did, those that are known already, else by what
-// moves; those that were heard are checked by it. Without keypoints nothing changes.
+// moves; those that were heard are checked by it. Without keypoints or spots nothing changes.
 void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, SyncResult& result) {
     const auto capture = load_capture_plan(arguments.folder);
-    if (!capture || arguments.is_of_boards || !has_keypoints(*capture)) {
+    if (!capture || arguments.is_of_boards || !has_motion(*capture)) {
         return;
     }
     const bool is_heard = !result.clocks().empty();
@@ -149,9 +149,11 @@ void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, Sy
         result.warnings.push_back("by what moves: " + clocks.error().message);
         return;
     }
-    give_clocks(*clocks, "motion", plan, result);
+    give_clocks(clocks->clocks, "motion", plan, result);
     say("no sound tells all clocks: what moves in the films told the others, within some "
         "10 milliseconds");
+    result.is_whole = result.is_whole && clocks->doubts.empty();
+    result.warnings.insert(result.warnings.end(), clocks->doubts.begin(), clocks->doubts.end());
 }
 
 // The clocks of the cameras, and that of the song.

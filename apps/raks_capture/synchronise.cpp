@@ -106,6 +106,29 @@ class Synchronisation {
                 take_camera(i, joint, options.song && joint.clocks[*options.song]);
             }
         }
+        if (options.song && result_.song) {
+            doubt_length(joint, *options.song);
+        }
+    }
+
+    // A song that ends long before the films: another one may follow, of which nothing is known.
+    void doubt_length(const audio::JointAlignment& joint, std::size_t song) {
+        constexpr double kLongAfter = 20.0;  // seconds
+        const double ends = joint.clocks[song]->line.at(heard_.tracks[song].seconds());
+        double last = ends;
+        for (std::size_t i = 0; i < heard_.tracks.size(); ++i) {
+            if (joint.clocks[i] && i != song) {
+                last = std::max(last, joint.clocks[i]->line.at(heard_.tracks[i].seconds()));
+            }
+        }
+        if (last > ends + kLongAfter) {
+            result_.warnings.push_back(fmt::format(
+                "{}: ends at {:.1f} s, and the films at {:.1f}: of a second song, where one was "
+                "played, the beats are not known; cut the films, or give both songs as one file",
+                heard_.tracks[song].name(),
+                ends,
+                last));
+        }
     }
 
     // Where the clock of the reference is set by hand, all others follow it.

@@ -50,7 +50,7 @@ enum class DecodeKind : std::uint32_t {
 
 /// A picture of a film, or all of them.
 struct DecodedPicture {
-    double seconds = 0.0;              ///< its time; of a film: claimed, < 0: none
+    double seconds = 0.0;              ///< its time; of a film: its date since 1970, 0: unknown
     double pictures_per_second = 0.0;  ///< of a film, 0: unknown
     std::int32_t width = 0;            ///< pixels, as it is to be seen
     std::int32_t height = 0;           ///< likewise

@@ -1,6 +1,7 @@
 #include "engine/decode/film_decoder.hpp"
 
 extern "C" {
+#include <libavutil/dict.h>
 #include <libavutil/display.h>
 #include <libavutil/log.h>
 }
@@ -8,7 +9,9 @@ extern "C" {
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string_view>
 
@@ -58,6 +61,34 @@ std::optional<Orientation> orientation_of(const Data* bytes, std::size_t size) {
     }
     std::memcpy(matrix.data(), bytes, sizeof matrix);
     return Orientation::of_matrix(matrix);
+}
+
+// The date of a film, "2026-11-30T16:21:36.000000Z", in seconds since 1970; 0: it has none.
+double date_of(const AVFormatContext& container) {
+    constexpr int kFirstYear = 1980;  // phones whose clock is not set say 1904 or 1970
+    constexpr int kLastYear = 2200;
+    const AVDictionaryEntry* const date =
+        av_dict_get(container.metadata, "creation_time", nullptr, 0);
+    int year = 0;
+    unsigned month = 0;
+    unsigned day = 0;
+    int hour = 0;
+    int minute = 0;
+    int second = 0;
+    // NOLINTNEXTLINE(cert-err34-c): numbers that do not fit are refused below.
+    if (date == nullptr ||
+        std::sscanf(
+            date->value, "%4d-%2u-%2uT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second) !=
+            6) {
+        return 0.0;
+    }
+    const std::chrono::year_month_day calendar{
+        std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
+    if (!calendar.ok() || year < kFirstYear || year > kLastYear) {
+        return 0.0;
+    }
+    const auto days = std::chrono::sys_days(calendar).time_since_epoch().count();
+    return 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
 }
 
 }  // namespace
@@ -186,6 +217,7 @@ void FilmDecoder::describe() {
     } else if (container_->duration > 0) {
         info_.claimed_seconds = static_cast<double>(container_->duration) / AV_TIME_BASE;
     }
+    info_.recorded = date_of(*container_);
     info_.format = fmt::format("{} in {}", codec_->name, container_->iformat->name);
     zero_ = start_of_time();
 }

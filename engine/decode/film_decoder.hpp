@@ -24,6 +24,7 @@ struct DecodedFilm {
     int turned = 0;                    ///< degrees clockwise that its metadata asks for
     double pictures_per_second = 0.0;  ///< on average, as claimed; 0: unknown
     double claimed_seconds = -1.0;     ///< < 0: unknown
+    double recorded = 0.0;             ///< its date, seconds since 1970; 0: unknown
     std::string format{};              ///< "h264 in mov,mp4,..."
 };
 

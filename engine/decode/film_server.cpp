@@ -36,6 +36,7 @@ bool FilmServer::send_film(FilmDecoder& film) {
     answer_.head.format_bytes = static_cast<std::uint32_t>(info.format.size());
     answer_.head.is_confined = is_confined_ ? 1U : 0U;
     answer_.picture = {
+        .seconds = info.recorded,
         .pictures_per_second = info.pictures_per_second,
         .width = info.width,
         .height = info.height,

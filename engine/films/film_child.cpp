@@ -103,7 +103,11 @@ Expected<FilmInfo> FilmChild::open(const std::filesystem::path& path) {
                   .pictures_per_second = std::max(film.pictures_per_second, 0.0),
                   .claimed_seconds = std::nullopt,
                   .turned = film.turned,
+                  .recorded = std::nullopt,
                   .format = line_of(message_.words())};
+    if (std::isfinite(film.seconds) && film.seconds > 0.0) {
+        info.recorded = film.seconds;
+    }
     if (message_.head.claimed_seconds >= 0.0) {
         info.claimed_seconds = message_.head.claimed_seconds;
     }

@@ -36,6 +36,8 @@ struct FilmInfo {
     double pictures_per_second = 0.0;       ///< on average, as claimed; 0: unknown
     std::optional<double> claimed_seconds;  ///< its length, for a progress line alone
     int turned = 0;                         ///< degrees clockwise that its metadata asks for
+    /// When it was recorded, by its metadata: begin or end, as phones have it; seconds since 1970.
+    std::optional<double> recorded{};
     std::string format;                     ///< "h264 in mov,mp4,...", or "pictures"
 };
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "motion/capture/markerless/keypoint_tracks.hpp"
+#include "motion/capture/markerless/standing_cameras.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -297,6 +299,9 @@ Expected<DancerCalibration> calibrate_by_dancer(const KeypointTake& take,
         return fail(std::move(checked.error()));
     }
     doubt(cameras, *best);
+    for (std::string& line : standing_doubts(best->rig, take)) {
+        best->doubts.push_back(std::move(line));
+    }
     return best;
 }
 

@@ -35,7 +35,8 @@ struct TableLayout {
     std::size_t picture = kNoColumn;
     std::size_t time = kNoColumn;
     std::size_t width = 0;
-    std::string other_name;  // the first that is none of ours
+    std::string other_name;               // the first that is none of ours
+    std::vector<std::string_view> names;  // what its columns of joints are called
 };
 
 std::string in_lower_case(std::string_view text) {
@@ -83,6 +84,7 @@ Expected<void> enter_column(TableLayout& layout,
     if (column_for(unused, axis) == nullptr) {
         return {};
     }
+    layout.names.push_back(name);
     const auto point = body_point_meant(name, map);
     if (!point) {
         layout.other_name = layout.other_name.empty() ? std::string(name) : layout.other_name;
@@ -167,7 +169,7 @@ class ForeignTableReader {
                 return point.x != kNoColumn && point.y != kNoColumn;
             });
         if (has_points) {
-            return {};
+            return check_map();
         }
         return layout_.other_name.empty()
                    ? fail(fmt::format("is of an unknown layout; {}", kKnownLayouts))
@@ -175,6 +177,18 @@ class ForeignTableReader {
                          "has no joint that is known: what is \"{}\"? say it by a map (--map "
                          "names.tsv: their name, a tab, left_wrist)",
                          printable(layout_.other_name, 40)));
+    }
+
+    // A map that names what is not there has a slip in it.
+    Expected<void> check_map() const {
+        for (const auto& [name, point] : film_.names) {
+            if (std::find(layout_.names.begin(), layout_.names.end(), name) ==
+                layout_.names.end()) {
+                return fail(fmt::format("no column is called \"{}\", which the map (--map) names",
+                                        printable(name, 40)));
+            }
+        }
+        return {};
     }
 
     // Rows: scorer, bodyparts, coords; the first column numbers the pictures.

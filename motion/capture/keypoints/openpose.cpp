@@ -134,8 +134,11 @@ Expected<Person> read_person(const Json& json) {
 
 Expected<std::vector<Person>> read_people(std::string_view text) {
     const Json json = Json::parse(text, nullptr, false);
+    if (text.empty()) {
+        return fail("is empty: a picture with nobody has an empty list \"people\"");
+    }
     if (json.is_discarded()) {
-        return fail("is no JSON, or cut off (NaN is none)");
+        return fail("is no JSON, or cut off (NaN is none: joints that were not found are zeros)");
     }
     const auto list = json.is_object() ? json.find("people") : json.end();
     if (!json.is_object() || list == json.end() || !list->is_array()) {

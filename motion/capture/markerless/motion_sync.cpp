@@ -1,7 +1,5 @@
 #include "motion/capture/markerless/motion_sync.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -21,6 +19,7 @@ constexpr double kLongestPictureStep =
     0.12;                           // seconds between pictures that say what lies between them
 constexpr double kSureJoint = 0.5;  // visibility
 constexpr int kClockRounds = 12;    // of Gauss and Newton
+constexpr double kMostStep = 0.1;   // seconds of one of them
 
 double mean_focal(const Lens& lens) { return 0.5 * (lens.fx + lens.fy); }
 
@@ -136,14 +135,24 @@ class ClockSearch {
         }
     }
 
-    // Mean of d^2 / (d^2 + error^2) of one camera against all others, shifted by so much.
-    [[nodiscard]] double cost_of(std::size_t camera, double shift, std::size_t every) const {
+    // What a shift of a camera costs, and how many sights say so.
+    struct ShiftCost {
+        double shift = 0.0;
+        double cost = 1.0;
+        double count = 0.0;
+    };
+
+    // Mean of d^2 / (d^2 + error^2) of one camera against the first `others`, shifted by so much.
+    [[nodiscard]] ShiftCost cost_of(std::size_t camera,
+                                    double shift,
+                                    std::size_t every,
+                                    std::size_t others) const {
         double sum = 0.0;
         double count = 0.0;
         for (std::size_t m = 0; m < moments_.size(); m += every) {
             const auto shifted =
                 sights_[camera].at(found_.clocks[camera].camera_time(moments_[m]) - shift);
-            for (std::size_t other = 0; other < sights_.size(); ++other) {
+            for (std::size_t other = 0; other < others; ++other) {
                 if (other == camera || shifted.empty()) {
                     continue;
                 }
@@ -154,25 +163,35 @@ class ClockSearch {
                 });
             }
         }
-        return count > 0.0 ? sum / count : 1.0;
+        return {shift, count > 0.0 ? sum / count : 1.0, count};
     }
 
     // Each camera but the first at all shifts within reach: from there least squares find the rest.
+    // At first against those before it, which have their clocks by then. Films that hardly meet
+    // agree by chance: a shift counts where half as much is seen as at the others.
     void try_shifts() {
         constexpr double kShiftStep = 0.01;  // seconds
+        constexpr int kNearSteps = 10;
         constexpr std::size_t kTriedMoments = 200;
         const std::size_t every = std::max<std::size_t>(1, moments_.size() / kTriedMoments);
         const int steps = static_cast<int>(std::lround(options_.reach / kShiftStep));
         for (int round = 0; round < (sights_.size() > 2 ? 2 : 1); ++round) {
             for (std::size_t camera = 1; camera < sights_.size(); ++camera) {
-                double best = 0.0;
+                std::vector<ShiftCost> costs;
+                double most = 0.0;
+                const std::size_t others = round == 0 ? camera : sights_.size();
+                // The first round has put it nearly right.
+                const int reach = round == 0 ? steps : std::min(steps, kNearSteps);
+                for (int step = -reach; step <= reach; ++step) {
+                    costs.push_back(cost_of(camera, kShiftStep * step, every, others));
+                    most = std::max(most, costs.back().count);
+                }
                 double least = std::numeric_limits<double>::max();
-                for (int step = -steps; step <= steps; ++step) {
-                    const double shift = kShiftStep * step;
-                    const double cost = cost_of(camera, shift, every);
-                    if (cost < least) {
-                        least = cost;
-                        best = shift;
+                double best = 0.0;
+                for (const ShiftCost& cost : costs) {
+                    if (cost.count >= 0.5 * most && cost.cost < least) {
+                        least = cost.cost;
+                        best = cost.shift;
                     }
                 }
                 found_.clocks[camera].offset += best;
@@ -223,7 +242,7 @@ class ClockSearch {
         found_.deviation.assign(sights_.size(), 0.0);
         for (std::size_t i = 1; i < sights_.size(); ++i) {
             const auto at = static_cast<Eigen::Index>(2 * (i - 1));
-            move(i, std::clamp(change(at), -options_.reach, options_.reach), change(at + 1));
+            move(i, std::clamp(change(at), -kMostStep, kMostStep), change(at + 1));
             found_.deviation[i] = std::sqrt(std::max(0.0, spread(at, at) * weighted / weights));
         }
         const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -289,125 +308,6 @@ class ClockSearch {
     double middle_ = 0.0;
     MotionSync found_;
 };
-
-// --- without a rig ---------------------------------------------------------------------------
-
-constexpr double kRoughRate = 30.0;  // samples a second
-
-// Upward speeds of the joints of a film at kRoughRate, in usual speeds of each joint; 0: not known.
-struct UpwardSpeeds {
-    std::array<std::vector<double>, kMainPoints.size()> joints;
-    double first = 0.0;  // camera time of the first; seconds
-    std::size_t count = 0;
-};
-
-UpwardSpeeds upward_speeds(const KeypointFilm& film) {
-    UpwardSpeeds speeds;
-    speeds.first = film.pictures.front().time;
-    const double seconds = film.pictures.back().time - speeds.first;
-    speeds.count = static_cast<std::size_t>(seconds * kRoughRate);
-    for (auto& joint : speeds.joints) {
-        joint.assign(speeds.count, 0.0);
-    }
-    std::size_t picture = 0;
-    for (std::size_t i = 0; i < speeds.count; ++i) {
-        const double time = speeds.first + (static_cast<double>(i) + 0.5) / kRoughRate;
-        while (picture + 2 < film.pictures.size() && film.pictures[picture + 1].time <= time) {
-            ++picture;
-        }
-        // Over three pictures: the errors of a network tremble.
-        const std::size_t from = picture > 0 ? picture - 1 : 0;
-        const std::size_t to = std::min(picture + 2, film.pictures.size() - 1);
-        const double step = film.pictures[to].time - film.pictures[from].time;
-        for (std::size_t joint = 0; joint < kMainPoints.size(); ++joint) {
-            const Keypoint& before = film.pictures[from][kMainPoints[joint]];
-            const Keypoint& after = film.pictures[to][kMainPoints[joint]];
-            if (before.visibility >= kSureJoint && after.visibility >= kSureJoint && step > 0.0 &&
-                step < 4.0 * kLongestPictureStep) {
-                speeds.joints[joint][i] = (before.pixel.y - after.pixel.y) / step;
-            }
-        }
-    }
-    for (auto& joint : speeds.joints) {
-        double squares = 1e-12;
-        for (const double speed : joint) {
-            squares += speed * speed;
-        }
-        const double usual =
-            std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, joint.size())));
-        for (double& speed : joint) {
-            speed = std::clamp(speed / usual, -3.0, 3.0);
-        }
-    }
-    return speeds;
-}
-
-double energy_of(const UpwardSpeeds& speeds) {
-    double squares = 1e-9;
-    for (const auto& joint : speeds.joints) {
-        for (const double speed : joint) {
-            squares += speed * speed;
-        }
-    }
-    return squares;
-}
-
-// Correlation of two films when `other` is `lag` samples later; [-1, 1]. What they do not share
-// counts against a lag: else a figure that is repeated is found again where the films hardly meet.
-double correlation(const UpwardSpeeds& one, const UpwardSpeeds& other, std::ptrdiff_t lag) {
-    double product = 0.0;
-    const auto count = static_cast<std::ptrdiff_t>(one.count);
-    for (std::size_t joint = 0; joint < kMainPoints.size(); ++joint) {
-        for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, lag);
-             i < std::min(count, static_cast<std::ptrdiff_t>(other.count) + lag);
-             ++i) {
-            product += one.joints[joint][static_cast<std::size_t>(i)] *
-                       other.joints[joint][static_cast<std::size_t>(i - lag)];
-        }
-    }
-    return product;
-}
-
-// The clock of `other` against `one`; confidence 0: none.
-Clock rough_clock(const UpwardSpeeds& one,
-                  const UpwardSpeeds& other,
-                  const std::string& camera,
-                  double within) {
-    constexpr double kLeastShared = 4.0;  // seconds
-    constexpr double kApart = 0.1;        // seconds: a shift that far off is another one
-    const auto least = static_cast<std::ptrdiff_t>(kLeastShared * kRoughRate);
-    const auto most = static_cast<std::ptrdiff_t>(std::min(within, 86400.0) * kRoughRate);
-    const std::ptrdiff_t from = std::max(-most, least - static_cast<std::ptrdiff_t>(other.count));
-    const std::ptrdiff_t to = std::min(most, static_cast<std::ptrdiff_t>(one.count) - least);
-    const double energy = std::sqrt(energy_of(one) * energy_of(other));
-    std::vector<double> all;
-    for (std::ptrdiff_t lag = from; lag <= to; ++lag) {
-        all.push_back(correlation(one, other, lag) / energy);
-    }
-    Clock clock{camera, 0.0, 0.0, 0.0};
-    if (all.size() < 3) {
-        return clock;
-    }
-    const auto best = std::max_element(all.begin(), all.end());
-    const std::ptrdiff_t at = best - all.begin();
-    double second = 0.0;
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(all.size()); ++i) {
-        if (static_cast<double>(std::abs(i - at)) > kApart * kRoughRate) {
-            second = std::max(second, all[static_cast<std::size_t>(i)]);
-        }
-    }
-    double between = 0.0;
-    if (at > 0 && at + 1 < static_cast<std::ptrdiff_t>(all.size())) {
-        const double before = *(best - 1);
-        const double after = *(best + 1);
-        const double bend = before - 2.0 * *best + after;
-        between = bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
-    }
-    const double lag = static_cast<double>(from + at) + between;
-    clock.offset = one.first + lag / kRoughRate - other.first;
-    clock.confidence = std::clamp(*best - 0.7 * second, 0.0, 1.0);
-    return clock;
-}
 
 }  // namespace
 
@@ -497,36 +397,6 @@ Expected<MotionSync> sync_by_motion(const Rig& rig,
         return fail("clocks are told from two cameras or more, each with a place and a clock");
     }
     return ClockSearch(rig, sights, start, options).run();
-}
-
-Expected<std::vector<Clock>> rough_clocks(const std::vector<KeypointFilm>& films, double within) {
-    constexpr double kShortest = 5.0;  // seconds
-    constexpr double kLeastConfidence = 0.05;
-    std::vector<UpwardSpeeds> speeds;
-    for (const KeypointFilm& film : films) {
-        if (film.pictures.size() < 2 ||
-            film.pictures.back().time - film.pictures.front().time < kShortest) {
-            return fail(
-                fmt::format("{}: its film is too short to tell its clock from what moves in "
-                            "it: {:.0f} s are needed",
-                            film.camera,
-                            kShortest));
-        }
-        speeds.push_back(upward_speeds(film));
-    }
-    std::vector<Clock> clocks;
-    for (std::size_t i = 0; i < films.size(); ++i) {
-        clocks.push_back(i == 0 ? Clock{films[0].camera, 0.0, 0.0, 1.0}
-                                : rough_clock(speeds[0], speeds[i], films[i].camera, within));
-        if (clocks.back().confidence < kLeastConfidence) {
-            return fail(fmt::format(
-                "{}: nothing in it moves as in {}; are they films of one dance? Else set its clock "
-                "by hand (raks capture sync --offsets)",
-                films[i].camera,
-                films[0].camera));
-        }
-    }
-    return clocks;
 }
 
 }  // namespace raks::capture

@@ -48,7 +48,7 @@ class MovingSights {
 /// How clocks are refined.
 struct MotionSyncOptions {
     double error = 3.0;         ///< distance from an epipolar line that counts half; pixels
-    double reach = 0.1;         ///< how far a clock may be off; seconds
+    double reach = 0.1;         ///< how far a clock may be off; seconds. Ten take some seconds
     bool fits_drift = true;     ///< else the drift of the start stays
     std::size_t moments = 900;  ///< that are looked at, evenly over the take
 };
@@ -71,12 +71,5 @@ struct MotionSync {
                                                   const std::vector<MovingSights>& sights,
                                                   const std::vector<Clock>& start,
                                                   const MotionSyncOptions& options = {});
-
-/// Clocks of a dancer's films without knowing anything of the cameras: what goes up in one upright
-/// picture goes up in every other, so the vertical speeds of the joints are compared at all shifts
-/// up to `within` seconds. Good to a picture or so; the confidence is the correlation, less that of
-/// the next best shift. Errors: films too short (5 s); one in which nothing moves like in another.
-[[nodiscard]] Expected<std::vector<Clock>> rough_clocks(const std::vector<KeypointFilm>& films,
-                                                        double within);
 
 }  // namespace raks::capture

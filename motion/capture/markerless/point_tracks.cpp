@@ -228,7 +228,10 @@ Expected<double> choose_unit(const motion::PointClip& clip,
                   "; --unit {} would make it {:.2f} m", fitting->first, extent * fitting->second)
             : std::string();
     if (said) {
-        return fail(fmt::format("its unit gives a dancer {:.4g} m tall{}", extent * *said, help));
+        return fail(
+            fmt::format("its unit gives a dancer {:.4g} m tall{}",
+                        extent * *said,
+                        help.empty() ? "; no unit makes one of it: scale the points first" : help));
     }
     if (fitting == kUnits.end()) {
         return fail(
@@ -314,6 +317,16 @@ Expected<PointTracks> point_tracks(const motion::PointClip& clip, const PointRea
         place.place *= *unit;
     }
     put_on_floor(found.markers, tracks);
+    for (const auto& [name, point] : reading.names) {
+        const bool is_there = std::any_of(
+            clip.names.begin(), clip.names.end(), [&called = name](const std::string& other) {
+                return other.substr(other.rfind(':') + 1) == called;
+            });
+        if (!is_there) {
+            found.notes.push_back(fmt::format(
+                "no point is called \"{}\", which the names told have", printable(name, 40)));
+        }
+    }
     if (chosen->uses.size() < clip.names.size()) {
         found.notes.push_back(
             fmt::format("{} of its {} points are not used: their names say no "

@@ -59,8 +59,9 @@ TEST(OpenPose, follows_the_person_who_was_there_before) {
 }
 
 TEST(OpenPose, a_bad_file_is_one_line) {
-    EXPECT_EQ(why_no_openpose("{\"people\":[{\"pose_keypoints_2d\":[NaN,1,1]}]}"),
-              "a_7.json: is no JSON, or cut off (NaN is none)");
+    EXPECT_EQ(
+        why_no_openpose("{\"people\":[{\"pose_keypoints_2d\":[NaN,1,1]}]}"),
+        "a_7.json: is no JSON, or cut off (NaN is none: joints that were not found are zeros)");
     EXPECT_EQ(why_no_openpose("[]"), "a_7.json: is not of OpenPose: it has no list \"people\"");
     EXPECT_EQ(why_no_openpose("{\"people\":[3]}"),
               "a_7.json: a person has no list pose_keypoints_2d");
@@ -126,6 +127,9 @@ TEST(ForeignTable, a_map_says_what_names_mean) {
     const auto read = read_foreign_table(table, "t.csv", film);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->pictures[0][BodyPoint::left_ankle].pixel, glm::dvec2(10.0, 20.0));
+    film.names.emplace_back("MD_2", BodyPoint::right_ankle);
+    EXPECT_EQ(read_foreign_table(table, "t.csv", film).error().message,
+              "t.csv: line 1: no column is called \"MD_2\", which the map (--map) names");
 }
 
 TEST(ForeignTable, a_bad_table_is_one_line) {
