@@ -299,7 +299,7 @@ std::string words_of_edit(const capture::Edit& edit) {
             return fmt::format(
                 "set in {} at ({:.1f}, {:.1f})", in_camera, edit.pixel.x, edit.pixel.y);
         case capture::EditKind::hide:
-            return edit.camera.empty()    ? "its spots are not believed"
+            return edit.camera.empty()   ? "its spots are not believed"
                    : edit.marker.empty() ? "nothing that " + in_camera + " sees counts"
                                          : "not believed in " + in_camera;
         case capture::EditKind::swap:

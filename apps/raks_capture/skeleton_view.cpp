@@ -10,8 +10,8 @@ namespace {
 using capture::BodyPoint;
 using render::Colour;
 
-constexpr double kSureJoint = 0.5;    // likelihood; below it is drawn faint
-constexpr float kFaint = 0.3F;        // of the opacity
+constexpr double kSureJoint = 0.5;  // likelihood; below it is drawn faint
+constexpr float kFaint = 0.3F;      // of the opacity
 constexpr Colour kOutline{0x05060C, 0.75F};
 
 constexpr std::pair<BodyPoint, BodyPoint> kBones[] = {
@@ -51,9 +51,7 @@ Colour colour_of_bone(BodyPoint one, BodyPoint other) {
     return first.rgb == second.rgb ? first : side_colours::kMiddle;
 }
 
-float opacity_of(const ViewJoint& joint) {
-    return joint.visibility >= kSureJoint ? 1.0F : kFaint;
-}
+float opacity_of(const ViewJoint& joint) { return joint.visibility >= kSureJoint ? 1.0F : kFaint; }
 
 void draw_line(const render::PaneFrame& frame,
                const render::PicturePlace& place,
@@ -129,11 +127,10 @@ void draw_placed(const render::PaneFrame& frame,
 }
 
 void draw_legend(const render::PaneFrame& frame, const render::Box& box) {
-    constexpr std::pair<std::string_view, Colour> kItems[] = {
-        {"left", side_colours::kLeft},
-        {"right", side_colours::kRight},
-        {"placed", side_colours::kPlaced},
-        {"hidden", side_colours::kHidden}};
+    constexpr std::pair<std::string_view, Colour> kItems[] = {{"left", side_colours::kLeft},
+                                                              {"right", side_colours::kRight},
+                                                              {"placed", side_colours::kPlaced},
+                                                              {"hidden", side_colours::kHidden}};
     float x = box.x;
     const float middle = box.y + 0.5F * box.height;
     const ImFont* const font = frame.pen.fonts().small;
@@ -142,11 +139,9 @@ void draw_legend(const render::PaneFrame& frame, const render::Box& box) {
         const bool is_thick = colour.alpha >= 1.0F;
         frame.pen.line(x, middle, x + kDash, middle, colour, is_thick ? 3.0F : 1.0F);
         x += kDash + 4.0F;
-        x += 8.0F + frame.pen.text(font,
-                                   x,
-                                   middle - 0.5F * frame.pen.height_of(font),
-                                   render::palette::kDim,
-                                   name);
+        x += 8.0F +
+             frame.pen.text(
+                 font, x, middle - 0.5F * frame.pen.height_of(font), render::palette::kDim, name);
     }
 }
 

@@ -26,8 +26,7 @@ Expected<void> check_edit(const Edit& edit, const Rig& rig) {
     if (!edit.camera.empty() && !camera) {
         return fail(fmt::format("there is no camera \"{}\"", printable(edit.camera, 40)));
     }
-    if (edit.kind == EditKind::set &&
-        !is_in_picture(rig.cameras[*camera].lens, edit.pixel)) {
+    if (edit.kind == EditKind::set && !is_in_picture(rig.cameras[*camera].lens, edit.pixel)) {
         return fail(fmt::format("({:.1f}, {:.1f}) lies outside of the picture of \"{}\"",
                                 edit.pixel.x,
                                 edit.pixel.y,

@@ -99,16 +99,15 @@ class JumpSearch {
     // Out and back: from `before` to `after` the joint is nowhere near the line between them, but
     // for the frames at both ends, in which it is on its way.
     void mark_by_time(std::size_t camera, std::size_t point) {
-        constexpr double kLongestOut = 0.2;         // seconds
-        constexpr double kOnTheWay = 1.0 / 30.0;    // likewise
-        constexpr double kFarOut = 6.0;             // usual errors
-        constexpr double kBack = 0.5;               // of how far it was out
+        constexpr double kLongestOut = 0.2;       // seconds
+        constexpr double kOnTheWay = 1.0 / 30.0;  // likewise
+        constexpr double kFarOut = 6.0;           // usual errors
+        constexpr double kBack = 0.5;             // of how far it was out
         const std::size_t way = std::max<std::size_t>(1, frames_of(kOnTheWay));
         const std::size_t longest = std::max<std::size_t>(1, frames_of(kLongestOut));
         for (std::size_t before = 0; before + way < take_.frame_count; ++before) {
             const std::size_t first = before + way;
-            for (std::size_t last = first;
-                 last < first + longest && last + way < take_.frame_count;
+            for (std::size_t last = first; last < first + longest && last + way < take_.frame_count;
                  ++last) {
                 const std::size_t after = last + way;
                 const Keypoint* const from = seen(camera, before, point);
@@ -149,8 +148,8 @@ class JumpSearch {
             }
             const double share = static_cast<double>(frame - out.before) /
                                  static_cast<double>(out.after - out.before);
-            least = std::min(least,
-                             glm::distance(here->pixel, glm::mix(from.pixel, to.pixel, share)));
+            least =
+                std::min(least, glm::distance(here->pixel, glm::mix(from.pixel, to.pixel, share)));
         }
         return least;
     }
@@ -208,7 +207,7 @@ class JumpSearch {
     [[nodiscard]] std::optional<std::size_t> far_from(const glm::dvec3& place,
                                                       std::size_t frame,
                                                       std::size_t point) const {
-        constexpr double kFar = 4.0;     // usual errors
+        constexpr double kFar = 4.0;      // usual errors
         constexpr double kFarther = 2.0;  // times the next one
         double most = 0.0;
         double next = 0.0;
@@ -386,8 +385,10 @@ std::vector<std::string> words_of(const std::vector<KeypointJump>& jumps,
             }
         }
         if (away > 0.0) {
-            lines.push_back(fmt::format(
-                "{}: somebody else was followed for {:.1f} s, which do not count", names[camera], away));
+            lines.push_back(
+                fmt::format("{}: somebody else was followed for {:.1f} s, which do not count",
+                            names[camera],
+                            away));
         }
         if (stretches > 0) {
             lines.push_back(fmt::format(

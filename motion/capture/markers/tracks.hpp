@@ -90,7 +90,8 @@ void sort_flags(Tracks& tracks);
 
 /// Flags as a table (`flags.tsv`): doubt, marker, first, last, camera.
 [[nodiscard]] std::string flags_text(const Tracks& tracks);
-/// Reads them into `tracks`; tables without the column of cameras too. Errors: an unknown doubt or marker, frames that the tracks lack.
+/// Reads them into `tracks`; tables without the column of cameras too. Errors: an unknown doubt or
+/// marker, frames that the tracks lack.
 [[nodiscard]] Expected<void> read_flags(std::string_view text,
                                         const std::string& file,
                                         Tracks& tracks);

@@ -19,8 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 5> kEditNames = {
-    "set", "hide", "swap", "fill", "exchange"};
+constexpr std::array<std::string_view, 5> kEditNames = {"set", "hide", "swap", "fill", "exchange"};
 
 // The keys that each kind has, beside "edit".
 std::span<const std::string_view> keys_of(EditKind kind) {

@@ -14,10 +14,10 @@ namespace raks::capture {
 
 /// What an edit does.
 enum class EditKind {
-    set,   ///< the marker is at this pixel of a camera at this frame
-    hide,  ///< the marker's spots are not believed in these frames
-    swap,  ///< from this frame on the two markers are each other
-    fill,  ///< the marker's places in these frames are made from those around them
+    set,      ///< the marker is at this pixel of a camera at this frame
+    hide,     ///< the marker's spots are not believed in these frames
+    swap,     ///< from this frame on the two markers are each other
+    fill,     ///< the marker's places in these frames are made from those around them
     exchange  ///< left and right are exchanged in what a camera's network saw in these frames
 };
 
