@@ -129,7 +129,7 @@ class CorrectPane {
         if (button(layout_.exchange, "Exchange sides")) {
             wish(ExchangeSides{});
         }
-        if (button(layout_.exchange_limb, "of the limb")) {
+        if (button(layout_.exchange_limb, "Limb's sides")) {
             wish(ExchangeSides{.is_of_limb = true});
         }
         if (button(layout_.hide, "Hide joint")) {

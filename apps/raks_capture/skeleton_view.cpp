@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 namespace raks::apps {
 namespace {
 
@@ -64,6 +67,19 @@ void draw_line(const render::PaneFrame& frame,
     frame.pen.line(from.x, from.y, to.x, to.y, colour, width);
 }
 
+// Dashes of what does not count, on a dark outline.
+void draw_dashes(const render::PaneFrame& frame, const glm::vec2& from, const glm::vec2& to) {
+    constexpr float kDash = 4.0F;
+    constexpr float kGap = 3.0F;
+    const float length = glm::distance(from, to);
+    for (float at = 0.0F; at < length; at += kDash + kGap) {
+        const glm::vec2 one = glm::mix(from, to, at / length);
+        const glm::vec2 other = glm::mix(from, to, std::min(at + kDash, length) / length);
+        frame.pen.line(one.x, one.y, other.x, other.y, kOutline, 3.0F);
+        frame.pen.line(one.x, one.y, other.x, other.y, side_colours::kHidden, 1.5F);
+    }
+}
+
 }  // namespace
 
 Colour colour_of_side(std::string_view joint) noexcept {
@@ -88,7 +104,7 @@ void draw_skeleton(const render::PaneFrame& frame,
             const bool is_hidden = from.is_hidden || to.is_hidden;
             const float opacity = std::min(opacity_of(from), opacity_of(to));
             if (is_hidden && !is_outline) {
-                draw_line(frame, place, from.pixel, to.pixel, side_colours::kHidden, 1.0F);
+                draw_dashes(frame, place.in_box(from.pixel), place.in_box(to.pixel));
             } else if (!is_hidden) {
                 draw_line(frame,
                           place,
@@ -136,8 +152,12 @@ void draw_legend(const render::PaneFrame& frame, const render::Box& box) {
     const ImFont* const font = frame.pen.fonts().small;
     for (const auto& [name, colour] : kItems) {
         constexpr float kDash = 11.0F;
-        const bool is_thick = colour.alpha >= 1.0F;
-        frame.pen.line(x, middle, x + kDash, middle, colour, is_thick ? 3.0F : 1.0F);
+        if (name == "hidden") {
+            draw_dashes(frame, {x, middle}, {x + kDash, middle});
+        } else {
+            const bool is_thick = colour.alpha >= 1.0F;
+            frame.pen.line(x, middle, x + kDash, middle, colour, is_thick ? 3.0F : 1.0F);
+        }
         x += kDash + 4.0F;
         x += 8.0F +
              frame.pen.text(

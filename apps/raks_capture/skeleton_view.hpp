@@ -29,14 +29,14 @@ inline constexpr render::Colour kLeft{0x56B4E9};
 inline constexpr render::Colour kRight{0xE69F00};
 inline constexpr render::Colour kMiddle{0xF2EEE6};
 inline constexpr render::Colour kPlaced{0xFFFFFF, 0.75F};  ///< where all views have the joints
-inline constexpr render::Colour kHidden{0x8A8FA8, 0.55F};  ///< what does not count
+inline constexpr render::Colour kHidden{0xB9A7D6};         ///< what does not count
 }  // namespace side_colours
 
 /// The colour of a joint by its name: of its side.
 [[nodiscard]] render::Colour colour_of_side(std::string_view joint) noexcept;
 
 /// Draws what a camera's network saw: bones and joints of each side in its colour, on a dark
-/// outline; joints of low likelihood faint, hidden ones grey and thin.
+/// outline; joints of low likelihood faint, hidden ones as dashes.
 void draw_skeleton(const render::PaneFrame& frame,
                    const render::PicturePlace& place,
                    const ViewSkeleton& joints);
