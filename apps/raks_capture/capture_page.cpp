@@ -270,13 +270,15 @@ std::string flags_section(const CaptureReport& report) {
         "<h2>To be looked at</h2>\n<p>Lost: fewer than two cameras see it. Filled: over more than "
         "0.2 s. Length: too far from, or too near to a marker of the same bone. Exchanged: it may "
         "be another marker. Residual: its cameras do not agree. Unsure: the angle of its joint is "
-        "known to 20 degrees at best. <code>raks capture "
+        "known to 20 degrees at best. Jumped: one camera has it far from where the others and the "
+        "moments around have it. Person: one camera follows somebody else. <code>raks capture "
         "correct</code> and <code>edits.jsonl</code> put them right.</p>\n" +
-        begin_table({"marker", "doubt", "from, s", "to, s", "frames"});
+        begin_table({"marker", "doubt", "camera", "from, s", "to, s", "frames"});
     for (std::size_t i = 0; i < std::min(kMostRows, tracks.flags.size()); ++i) {
         const capture::Flag& flag = tracks.flags[i];
         section += row_of({xml_text(tracks.markers[flag.marker]),
                            std::string(capture::kDoubtNames[static_cast<std::size_t>(flag.doubt)]),
+                           xml_text(flag.camera),
                            fmt::format("{:.2f}", tracks.time_of(flag.first)),
                            fmt::format("{:.2f}", tracks.time_of(flag.last)),
                            fmt::format("{} to {}", flag.first, flag.last)},
@@ -291,18 +293,23 @@ std::string flags_section(const CaptureReport& report) {
 }
 
 std::string words_of_edit(const capture::Edit& edit) {
+    const std::string in_camera = '"' + xml_text(edit.camera) + '"';
     switch (edit.kind) {
         case capture::EditKind::set:
-            return fmt::format("set in \"{}\" at ({:.1f}, {:.1f})",
-                               xml_text(edit.camera),
-                               edit.pixel.x,
-                               edit.pixel.y);
+            return fmt::format(
+                "set in {} at ({:.1f}, {:.1f})", in_camera, edit.pixel.x, edit.pixel.y);
         case capture::EditKind::hide:
-            return "its spots are not believed";
+            return edit.camera.empty()   ? "its spots are not believed"
+                   : edit.marker.empty() ? "nothing that " + in_camera + " sees counts"
+                                         : "not believed in " + in_camera;
         case capture::EditKind::swap:
             return "exchanged with " + xml_text(edit.other) + " from here on";
         case capture::EditKind::fill:
             return "filled from the frames around";
+        case capture::EditKind::exchange:
+            return fmt::format("left and right {}exchanged in {}",
+                               edit.limbs.empty() ? "" : "of the " + edit.limbs + " ",
+                               in_camera);
     }
     return {};
 }

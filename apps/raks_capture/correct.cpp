@@ -11,7 +11,9 @@ ExitCode correct(const CorrectArguments& arguments) {
         return fail(plan.error());
     }
     const auto given =
-        load_tracking(*plan, plan->file("labels.tsv"), capture::ChromaForm::normalised);
+        is_without_markers(*plan)
+            ? load_joint_tracking(*plan)
+            : load_tracking(*plan, plan->file("labels.tsv"), capture::ChromaForm::normalised);
     if (!given) {
         return fail(given.error());
     }

@@ -74,9 +74,12 @@ Wishes letter_key(const KeyEvent& key, const CorrectSession& session, const Corr
         case U'n':
             return {CorrectAction(ShowFlag{.is_next = true})};
         case U'e':
-            return {CorrectAction(BeginSwap{})};
+            return session.is_of_joints ? Wishes{CorrectAction(ExchangeSides{key.has_shift})}
+                                        : Wishes{CorrectAction(BeginSwap{})};
         case U'h':
             return {CorrectAction(HideMarker{})};
+        case U'p':
+            return session.is_of_joints ? Wishes{CorrectAction(HideView{})} : Wishes{};
         case U'i':
             return {CorrectAction(FillMarker{})};
         case U'q':
@@ -127,6 +130,8 @@ std::vector<CorrectWish> wishes_of_key(const KeyEvent& key,
             return list_key(session, false);
         case Key::down:
             return list_key(session, true);
+        case Key::tab:
+            return {CorrectAction(ChooseView{(session.camera + 1) % session.cameras.size()})};
         case Key::escape:
             return {CorrectAction(ForgetStretch{})};
         default:

@@ -48,7 +48,8 @@ std::vector<Box> grid(const Box& room, const std::vector<double>& shapes) {
 CorrectLayout correct_layout(const Box& area,
                              const std::vector<double>& shapes,
                              std::size_t markers,
-                             std::optional<std::size_t> alone) {
+                             std::optional<std::size_t> alone,
+                             CorrectKind kind) {
     using namespace pane_sizes;
     CorrectLayout layout;
     float x = area.x + kMargin;
@@ -57,14 +58,23 @@ CorrectLayout correct_layout(const Box& area,
         return Box{x - width - kBetween, area.y + kMargin, width, kBar};
     };
     constexpr float kGroup = 10.0F;  // between groups of buttons
-    layout.play = next(66.0F);
-    layout.flag_before = next(66.0F);
-    layout.flag_after = next(66.0F);
-    layout.worst = next(66.0F);
+    // Joints have longer words: six more units are theirs.
+    const float usual = kind == CorrectKind::joints ? 58.0F : 66.0F;
+    layout.play = next(usual);
+    layout.flag_before = next(usual);
+    layout.flag_after = next(usual);
+    layout.worst = next(usual);
     x += kGroup;
-    layout.hide = next(60.0F);
-    layout.fill = next(60.0F);
-    layout.swap = next(100.0F);
+    if (kind == CorrectKind::joints) {
+        layout.exchange = next(116.0F);
+        layout.exchange_limb = next(94.0F);
+        layout.hide = next(78.0F);
+        layout.hide_view = next(84.0F);
+    } else {
+        layout.hide = next(60.0F);
+        layout.fill = next(60.0F);
+        layout.swap = next(100.0F);
+    }
     x += kGroup;
     layout.track = next(106.0F);
     x = area.right() - kMargin - 58.0F - 58.0F - 72.0F - 2.0F * kBetween;
@@ -88,7 +98,11 @@ CorrectLayout correct_layout(const Box& area,
         layout.views = grid(room, shapes);
     }
     layout.title = {list, top, kList, 24.0F};
-    const float rows_top = layout.title.bottom() + 2.0F;
+    layout.legend = {list + 4.0F,
+                     layout.title.bottom(),
+                     kList - 4.0F,
+                     kind == CorrectKind::joints ? kLine : 0.0F};
+    const float rows_top = layout.legend.bottom() + 2.0F;
     layout.markers = marker_rows({list, rows_top, kList, bottom - rows_top}, markers);
     layout.status = {area.x + kMargin, lines, right - area.x - kMargin, kLine};
     layout.keys = {area.x + kMargin, lines + kLine + 2.0F, right - area.x - kMargin, kLine};
@@ -100,7 +114,11 @@ CorrectLayout layout_of(const Box& area, const CorrectSession& session, const Co
     for (const CorrectView& view : scene.views) {
         shapes.push_back(static_cast<double>(view.width) / static_cast<double>(view.height));
     }
-    return correct_layout(area, shapes, session.tracks.markers.size(), session.alone);
+    return correct_layout(area,
+                          shapes,
+                          session.tracks.markers.size(),
+                          session.alone,
+                          session.is_of_joints ? CorrectKind::joints : CorrectKind::markers);
 }
 
 }  // namespace raks::apps

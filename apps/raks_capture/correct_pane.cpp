@@ -90,14 +90,10 @@ class CorrectPane {
         if (button(layout_.worst, "Worst")) {
             wish(ShowWorst{});
         }
-        if (button(layout_.hide, "Hide")) {
-            wish(HideMarker{});
-        }
-        if (button(layout_.fill, "Fill")) {
-            wish(FillMarker{});
-        }
-        if (toggle(layout_.swap, "Swap with ...", session_.is_swapping)) {
-            wish(BeginSwap{});
+        if (session_.is_of_joints) {
+            buttons_of_joints();
+        } else {
+            buttons_of_markers();
         }
         if (button(layout_.track,
                    scene_.is_tracking ? "tracking ..." : "Track again",
@@ -114,6 +110,33 @@ class CorrectPane {
                    session_.edits.is_saved() ? "Saved" : "Save",
                    !session_.edits.is_saved())) {
             wishes_.emplace_back(SaveEdits{});
+        }
+    }
+
+    void buttons_of_markers() {
+        if (button(layout_.hide, "Hide")) {
+            wish(HideMarker{});
+        }
+        if (button(layout_.fill, "Fill")) {
+            wish(FillMarker{});
+        }
+        if (toggle(layout_.swap, "Swap with ...", session_.is_swapping)) {
+            wish(BeginSwap{});
+        }
+    }
+
+    void buttons_of_joints() {
+        if (button(layout_.exchange, "Exchange sides")) {
+            wish(ExchangeSides{});
+        }
+        if (button(layout_.exchange_limb, "Limb's sides")) {
+            wish(ExchangeSides{.is_of_limb = true});
+        }
+        if (button(layout_.hide, "Hide joint")) {
+            wish(HideMarker{});
+        }
+        if (button(layout_.hide_view, "Hide person")) {
+            wish(HideView{});
         }
     }
 
@@ -134,12 +157,35 @@ class CorrectPane {
             const glm::vec2 at = place.in_box(spot.pixel);
             frame_.pen.dot(at.x, at.y, 2.0F, colour_of(spot.colour).faded(0.8F));
         }
+        if (view.skeleton) {
+            draw_placed(frame_, place, view.placed);
+            draw_skeleton(frame_, place, *view.skeleton);
+            draw_doubted(camera, place);
+        }
         draw_markers(camera, place);
         draw_head(camera);
     }
 
+    // Rings around the joints that a flag names in this view.
+    void draw_doubted(std::size_t camera, const PicturePlace& place) const {
+        for (const capture::Flag& flag : session_.tracks.flags) {
+            const auto& seen = scene_.views[camera].places[flag.marker];
+            if (seen && flag.camera == session_.cameras[camera] && is_here(flag)) {
+                const glm::vec2 at = place.in_box(*seen);
+                frame_.pen.ring(at.x, at.y, 6.5F, render::palette::kRed);
+            }
+        }
+    }
+    [[nodiscard]] bool is_here(const capture::Flag& flag) const {
+        return flag.first <= session_.frame && session_.frame <= flag.last;
+    }
+
     [[nodiscard]] render::Colour colour_of(std::size_t colour) const {
         return render::named_colour(colours_[colour]);
+    }
+    [[nodiscard]] render::Colour colour_of_marker(std::size_t marker) const {
+        return session_.is_of_joints ? colour_of_side(session_.tracks.markers[marker])
+                                     : colour_of(classes_[marker]);
     }
 
     static float units_between(const PicturePlace& place,
@@ -154,6 +200,9 @@ class CorrectPane {
         using Kind = render::PictureGesture::Kind;
         const bool is_held_here = session_.held && session_.held->camera == camera;
         if (gesture.kind == Kind::press) {
+            if (session_.is_of_joints && session_.camera != camera) {
+                wish(ChooseView{camera});
+            }
             press(camera, place, gesture.pixel);
         } else if (gesture.kind == Kind::drag && is_held_here) {
             HeldMarker held = *session_.held;
@@ -185,7 +234,8 @@ class CorrectPane {
     }
 
     // The marker that is looked at is taken where the pointer is near it, or where it is not seen
-    // at all; else the nearest other one is chosen.
+    // at all; else the nearest other one is chosen. Joints that are not seen are not set by a
+    // click, which chooses the view.
     void press(std::size_t camera, const PicturePlace& place, const glm::dvec2& pixel) {
         const auto& places = scene_.views[camera].places;
         const auto away = [&](std::size_t marker) {
@@ -201,7 +251,7 @@ class CorrectPane {
             wish(ChooseMarker{nearest});
         } else if (is_own) {
             wish(HoldMarker{{camera, pixel, pixel, false}});
-        } else if (!places[own] && !session_.is_swapping) {
+        } else if (!places[own] && !session_.is_swapping && !session_.is_of_joints) {
             wish(HoldMarker{{camera, pixel, meant(camera, place, pixel), true}});
         }
     }
@@ -216,9 +266,12 @@ class CorrectPane {
             const glm::vec2 at = place.in_box(*places[marker]);
             const bool is_filled =
                 session_.tracks.at(session_.frame, marker).source == PlaceSource::filled;
-            frame_.pen.ring(
-                at.x, at.y, 5.0F, colour_of(classes_[marker]).faded(is_filled ? 0.45F : 0.9F));
-            if (session_.alone || session_.is_swapping) {
+            // Joints are drawn already.
+            if (!session_.is_of_joints) {
+                frame_.pen.ring(
+                    at.x, at.y, 5.0F, colour_of_marker(marker).faded(is_filled ? 0.45F : 0.9F));
+            }
+            if ((session_.alone && !session_.is_of_joints) || session_.is_swapping) {
                 tags.push_back({at, session_.tracks.markers[marker], render::palette::kDim});
             }
         }
@@ -240,7 +293,7 @@ class CorrectPane {
         }
         const glm::vec2 at = place.in_box(*pixel);
         frame_.pen.dot(at.x, at.y, 4.0F, {0x000000, 0.7F});
-        frame_.pen.dot(at.x, at.y, 3.0F, colour_of(classes_[session_.marker]));
+        frame_.pen.dot(at.x, at.y, 3.0F, colour_of_marker(session_.marker));
         frame_.pen.ring(
             at.x, at.y, 9.0F, is_held ? render::palette::kAmber : render::palette::kText);
         tags.insert(tags.begin(),
@@ -255,11 +308,15 @@ class CorrectPane {
                                  (view.note.empty() ? std::string() : "   " + view.note);
         const ImFont* const font = pen.fonts().small;
         const float width = std::min(pen.width_of(font, head) + 10.0F, box.width);
+        const bool is_chosen = session_.is_of_joints && session_.camera == camera;
+        if (is_chosen) {
+            pen.outline(box, render::palette::kTeal, 2.0F);
+        }
         pen.fill({box.x, box.y, width, 18.0F}, {0x000000, 0.6F}, 3.0F);
         pen.text(font,
                  box.x + 5.0F,
                  box.y + 1.0F,
-                 render::palette::kText,
+                 is_chosen ? render::palette::kTeal : render::palette::kText,
                  head,
                  render::Align::left,
                  box.width - 8.0F);
@@ -271,7 +328,12 @@ class CorrectPane {
                  layout_.title.x + 4.0F,
                  layout_.title.y + 2.0F,
                  session_.is_swapping ? render::palette::kAmber : render::palette::kText,
-                 session_.is_swapping ? "Swap with which?" : "Markers");
+                 session_.is_swapping    ? "Swap with which?"
+                 : session_.is_of_joints ? "Joints of the dancer"
+                                         : "Markers");
+        if (session_.is_of_joints) {
+            draw_legend(frame_, layout_.legend);
+        }
         const std::size_t count = classes_.size();
         const std::size_t rows = layout_.markers.size();
         const std::size_t first = std::min(scene_.first_row, count - rows);
@@ -289,8 +351,7 @@ class CorrectPane {
     [[nodiscard]] bool is_flagged(std::size_t marker) const {
         const auto& flags = session_.tracks.flags;
         return std::any_of(flags.begin(), flags.end(), [&](const capture::Flag& flag) {
-            return flag.marker == marker && flag.first <= session_.frame &&
-                   session_.frame <= flag.last;
+            return flag.marker == marker && is_here(flag);
         });
     }
 
@@ -303,7 +364,7 @@ class CorrectPane {
         const render::PaneRow row{
             session_.tracks.markers[marker],
             note,
-            colour_of(classes_[marker]),
+            colour_of_marker(marker),
             is_flagged(marker) ? render::palette::kAmber : render::palette::kText,
             session_.marker == marker,
             place.source == PlaceSource::seen};
@@ -365,10 +426,16 @@ class CorrectPane {
             layout_.keys.x,
             layout_.keys.y,
             render::palette::kDim,
-            "Space play   Left, Right step   N, B flag   W worst   Up, Down marker   1-9 one view  "
-            " "
-            "F near, all   drag: set   [ ] stretch   H hide   I fill   E swap   T track again   "
-            "U, Y undo, redo   S save   Q close",
+            session_.is_of_joints
+                ? "Space play   Left, Right step   N, B flag   W worst   Up, Down joint   Tab view "
+                  "  "
+                  "1-9 one view   F near, all   drag: set   [ ] stretch   E exchange (Shift: limb) "
+                  "  "
+                  "H, P hide joint, person   T track   U, Y undo, redo   S save   Q close"
+                : "Space play   Left, Right step   N, B flag   W worst   Up, Down marker   1-9 one "
+                  "view   F near, all   drag: set   [ ] stretch   H hide   I fill   E swap   T "
+                  "track "
+                  "again   U, Y undo, redo   S save   Q close",
             render::Align::left,
             layout_.keys.width);
     }
@@ -387,23 +454,26 @@ class CorrectPane {
                                        session_.tracks.time_of(session_.frame),
                                        session_.tracks.markers[session_.marker]);
         text += place.source == PlaceSource::lost
-                    ? "lost; click it in two views"
+                    ? (session_.is_of_joints ? "lost" : "lost; click it in two views")
                     : fmt::format("{}, {:.0f} mm",
                                   place.source == PlaceSource::seen ? "seen" : "filled",
                                   1000.0 * place.deviation);
         for (const capture::Flag& flag : session_.tracks.flags) {
-            if (flag.marker == session_.marker && flag.first <= session_.frame &&
-                session_.frame <= flag.last) {
-                text += fmt::format("; {} from {} to {}",
+            if (flag.marker == session_.marker && is_here(flag)) {
+                text += fmt::format("; {}{} from {} to {}",
                                     capture::kDoubtNames[static_cast<std::size_t>(flag.doubt)],
+                                    flag.camera.empty() ? "" : " in " + flag.camera,
                                     flag.first,
                                     flag.last);
             }
         }
-        const FrameStretch meant = session_.meant();
-        text += meant.first == meant.last
-                    ? fmt::format(".  Hide, fill: frame {}", meant.first)
-                    : fmt::format(".  Hide, fill: frames {} to {}", meant.first, meant.last);
+        const FrameStretch meant =
+            session_.is_of_joints ? session_.meant_in_view() : session_.meant();
+        text += session_.is_of_joints
+                    ? fmt::format(".  Exchange, hide in {}: ", session_.cameras[session_.camera])
+                    : ".  Hide, fill: ";
+        text += meant.first == meant.last ? fmt::format("frame {}", meant.first)
+                                          : fmt::format("frames {} to {}", meant.first, meant.last);
         return text + fmt::format(".  {} edits", session_.edits.now().size());
     }
 

@@ -1,13 +1,16 @@
 // Correct pane: what `raks capture correct` shows, and what is done in it.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "apps/raks_capture/correct_session.hpp"
+#include "apps/raks_capture/skeleton_view.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "render/panes/picture_view.hpp"
 
@@ -20,24 +23,32 @@ struct CorrectLayout {
     render::Box flag_after;
     render::Box worst;
     render::Box hide;
-    render::Box fill;
-    render::Box swap;
+    render::Box fill;           ///< of markers alone
+    render::Box swap;           ///< likewise
+    render::Box exchange;       ///< of joints alone
+    render::Box exchange_limb;  ///< likewise
+    render::Box hide_view;      ///< likewise
     render::Box track;
     render::Box undo;
     render::Box redo;
     render::Box save;
     std::vector<render::Box> views;    ///< a picture for each camera; empty boxes are not shown
     render::Box title;                 ///< over the list
+    render::Box legend;                ///< below that, of joints alone
     std::vector<render::Box> markers;  ///< a row each, as many as there is room for
     render::Box timeline;
     render::Box status;  ///< a line
     render::Box keys;    ///< a line
 };
+/// What a take is of.
+enum class CorrectKind : std::uint8_t { markers, joints };
+
 /// The layout of an area with so many markers, and views of these shapes (width over height).
 [[nodiscard]] CorrectLayout correct_layout(const render::Box& area,
                                            const std::vector<double>& shapes,
                                            std::size_t markers,
-                                           std::optional<std::size_t> alone);
+                                           std::optional<std::size_t> alone,
+                                           CorrectKind kind = CorrectKind::markers);
 
 /// One camera's view at the frame that is looked at.
 struct CorrectView {
@@ -48,6 +59,10 @@ struct CorrectView {
     std::vector<capture::Detection> spots;         ///< colours as of MarkerSet::colours()
     /// By marker: where its place is seen from here; none: lost, or behind the camera.
     std::vector<std::optional<glm::dvec2>> places;
+    /// Of joints: what the network saw here, after the edits. `places` are then these, too.
+    std::optional<ViewSkeleton> skeleton{};
+    /// Likewise: where all views together have the joints, by BodyPoint.
+    std::array<std::optional<glm::dvec2>, capture::kBodyPoints> placed{};
     std::string note;  ///< why there is no picture; may be empty
 };
 

@@ -46,7 +46,11 @@ class CorrectChange {
         session_.stretch.reset();
         session_.held.reset();
     }
-    void operator()(const ShowView& show) { session_.alone = show.camera; }
+    void operator()(const ChooseView& choose) { session_.camera = choose.camera; }
+    void operator()(const ShowView& show) {
+        session_.alone = show.camera;
+        session_.camera = show.camera.value_or(session_.camera);
+    }
     void operator()(const TogglePlay& /*action*/) {
         const bool is_at_end = session_.frame + 1 >= session_.tracks.frame_count;
         session_.is_playing = !session_.is_playing;
@@ -66,6 +70,11 @@ class CorrectChange {
                                                : (before != flags.rend() ? &*before : nullptr);
         if (found != nullptr) {
             look_at(found->marker, found->first);
+            const auto camera =
+                std::find(session_.cameras.begin(), session_.cameras.end(), found->camera);
+            if (camera != session_.cameras.end()) {
+                session_.camera = static_cast<std::size_t>(camera - session_.cameras.begin());
+            }
         }
     }
     void operator()(const ShowWorst& /*action*/) {
@@ -94,7 +103,18 @@ class CorrectChange {
             set(*held);
         }
     }
-    void operator()(const HideMarker& /*action*/) { add_stretch(EditKind::hide); }
+    void operator()(const HideMarker& /*action*/) {
+        if (session_.is_of_joints) {
+            add_of_view({.kind = EditKind::hide, .marker = name()});
+        } else {
+            add_stretch(EditKind::hide);
+        }
+    }
+    void operator()(const HideView& /*action*/) { add_of_view({.kind = EditKind::hide}); }
+    void operator()(const ExchangeSides& exchange) {
+        add_of_view({.kind = EditKind::exchange,
+                     .limbs = exchange.is_of_limb ? limbs_of(name()) : std::string()});
+    }
     void operator()(const FillMarker& /*action*/) { add_stretch(EditKind::fill); }
     void operator()(const BeginSwap& /*action*/) { session_.is_swapping = true; }
     void operator()(const ForgetStretch& /*action*/) {
@@ -136,6 +156,25 @@ class CorrectChange {
         session_.stretch.reset();
     }
 
+    void add_of_view(Edit edit) {
+        const FrameStretch meant = session_.meant_in_view();
+        edit.camera = session_.cameras[session_.camera];
+        edit.first = meant.first;
+        edit.last = meant.last;
+        add(std::move(edit));
+    }
+
+    // "arms" or "legs"; empty: of neither, as the nose.
+    static std::string limbs_of(const std::string& joint) {
+        const auto has = [&joint](std::string_view word) {
+            return joint.find(word) != std::string::npos;
+        };
+        if (has("hip") || has("knee") || has("ankle") || has("heel") || has("foot")) {
+            return "legs";
+        }
+        return joint == "nose" || has("ear") ? std::string() : std::string("arms");
+    }
+
     void set(const HeldMarker& held) {
         Edit edit{.kind = EditKind::set,
                   .marker = name(),
@@ -168,12 +207,16 @@ Expected<void> check_name(std::string_view what,
     return fail(unknown_name(what, printable(name, 40), views));
 }
 
-Expected<void> check_pixel(const Edit& edit, const capture::Rig& rig) {
+std::vector<std::string> names_of(const capture::Rig& rig) {
     std::vector<std::string> cameras;
     for (const capture::Camera& camera : rig.cameras) {
         cameras.push_back(camera.name);
     }
-    auto checked = check_name("camera", edit.camera, cameras);
+    return cameras;
+}
+
+Expected<void> check_pixel(const Edit& edit, const capture::Rig& rig) {
+    auto checked = check_name("camera", edit.camera, names_of(rig));
     const auto camera = rig.index_of(edit.camera);
     if (checked && !capture::is_in_picture(rig.cameras[*camera].lens, edit.pixel)) {
         return fail(fmt::format("({:.1f}, {:.1f}) lies outside of the picture of \"{}\"",
@@ -196,6 +239,26 @@ FrameStretch CorrectSession::meant() const {
         }
     }
     return {frame, frame};
+}
+
+FrameStretch CorrectSession::meant_in_view() const {
+    if (stretch) {
+        return *stretch;
+    }
+    // A flag of the marker in this view comes first, then one of the view, then one of the marker.
+    const Flag* best = nullptr;
+    int most = 0;
+    for (const Flag& flag : tracks.flags) {
+        const int fit = (flag.camera == cameras[camera] ? 2 : 0) + (flag.marker == marker ? 1 : 0);
+        const bool is_of_other_view = !flag.camera.empty() && flag.camera != cameras[camera];
+        // What is not seen is neither exchanged nor somebody else.
+        if (flag.doubt != capture::Doubt::lost && flag.first <= frame && frame <= flag.last &&
+            fit > most && !is_of_other_view) {
+            best = &flag;
+            most = fit;
+        }
+    }
+    return best != nullptr ? FrameStretch{best->first, best->last} : FrameStretch{frame, frame};
 }
 
 void apply(const CorrectAction& action, CorrectSession& session) {
@@ -239,7 +302,11 @@ Expected<void> check_edits(const std::vector<Edit>& edits,
     }
     for (std::size_t i = 0; i < edits.size(); ++i) {
         const Edit& edit = edits[i];
-        auto checked = check_name("marker", edit.marker, names);
+        auto checked =
+            edit.marker.empty() ? Expected<void>{} : check_name("marker", edit.marker, names);
+        if (checked && edit.kind != EditKind::set && !edit.camera.empty()) {
+            checked = check_name("camera", edit.camera, names_of(rig));
+        }
         if (checked && edit.kind == EditKind::swap) {
             checked = check_name("marker", edit.other, names);
         }

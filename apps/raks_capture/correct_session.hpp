@@ -40,6 +40,8 @@ struct CorrectSession {
     History<std::vector<capture::Edit>> edits;
     std::size_t frame = 0;                ///< that is looked at
     std::size_t marker = 0;               ///< that is looked at
+    std::size_t camera = 0;               ///< whose view edits of views are about
+    bool is_of_joints = false;            ///< a take without markers: markers are joints
     std::optional<std::size_t> alone;     ///< camera whose view fills all; none: all views
     std::optional<FrameStretch> stretch;  ///< frames that were chosen
     bool is_swapping = false;             ///< the next marker that is chosen is the other one
@@ -49,6 +51,9 @@ struct CorrectSession {
     /// The frames that hide and fill are about: those that were chosen, else the flagged stretch of
     /// the marker at this frame, else the frame alone.
     [[nodiscard]] FrameStretch meant() const;
+    /// The same of edits of the camera's view: else a flagged stretch of the marker, or of the
+    /// camera, at this frame, other than a lost one; else the frame alone.
+    [[nodiscard]] FrameStretch meant_in_view() const;
 };
 
 /// Another frame is looked at; the last one where there is none so late.
@@ -58,6 +63,10 @@ struct ShowFrame {
 /// Another marker is; while swapping it is the other one of the swap.
 struct ChooseMarker {
     std::size_t marker = 0;
+};
+/// The view of this camera is the one that edits of views are about.
+struct ChooseView {
+    std::size_t camera = 0;
 };
 /// One view alone, or all.
 struct ShowView {
@@ -82,8 +91,15 @@ struct HoldMarker {
 };
 /// See HoldMarker.
 struct LetGoOfMarker {};
-/// The marker's spots are not believed in meant().
+/// The marker's spots are not believed in meant(); of joints what the camera sees of it, in
+/// meant_in_view().
 struct HideMarker {};
+/// Nothing that the camera sees counts in meant_in_view().
+struct HideView {};
+/// Left and right are exchanged in what the camera sees, in meant_in_view().
+struct ExchangeSides {
+    bool is_of_limb = false;  ///< of the arms or legs alone, to which the marker belongs
+};
 /// Its places in meant() are made from those around.
 struct FillMarker {};
 /// The next marker that is chosen and this one are each other from here on.
@@ -97,6 +113,7 @@ struct RedoEdit {};
 
 using CorrectAction = std::variant<ShowFrame,
                                    ChooseMarker,
+                                   ChooseView,
                                    ShowView,
                                    TogglePlay,
                                    ShowFlag,
@@ -105,6 +122,8 @@ using CorrectAction = std::variant<ShowFrame,
                                    HoldMarker,
                                    LetGoOfMarker,
                                    HideMarker,
+                                   HideView,
+                                   ExchangeSides,
                                    FillMarker,
                                    BeginSwap,
                                    ForgetStretch,

@@ -16,6 +16,7 @@
 #include "apps/terminal/program.hpp"
 #include "base/pending_file.hpp"
 #include "base/time.hpp"
+#include "motion/capture/markerless/followed_keypoints.hpp"
 #include "render/panes/pane_window.hpp"
 
 namespace raks::apps {
@@ -26,20 +27,27 @@ using Edits = std::vector<capture::Edit>;
 /// The picture of a film that was taken nearest to each moment.
 class PictureTimes {
  public:
-    PictureTimes(const capture::SeenFilm* film, const std::vector<capture::Clock>& clocks) {
-        if (film == nullptr) {
-            return;
-        }
-        const auto clock = std::find_if(clocks.begin(), clocks.end(), [film](const auto& one) {
-            return one.camera == film->camera;
+    // What a camera's network saw, or its spots; null: neither.
+    PictureTimes(const capture::KeypointFilm* joints,
+                 const capture::SeenFilm* spots,
+                 const std::string& camera,
+                 const std::vector<capture::Clock>& clocks) {
+        const auto clock = std::find_if(clocks.begin(), clocks.end(), [&camera](const auto& one) {
+            return one.camera == camera;
         });
-        for (const capture::SeenPicture& picture : film->pictures) {
-            times_.push_back(clock != clocks.end() ? clock->capture_time(picture.time)
-                                                   : picture.time);
+        const auto add = [&](std::size_t number, double time) {
+            numbers_.push_back(number);
+            times_.push_back(clock != clocks.end() ? clock->capture_time(time) : time);
+        };
+        for (std::size_t i = 0; joints != nullptr && i < joints->pictures.size(); ++i) {
+            add(joints->pictures[i].number, joints->pictures[i].time);
+        }
+        for (std::size_t i = 0; spots != nullptr && i < spots->pictures.size(); ++i) {
+            add(i, spots->pictures[i].time);
         }
     }
 
-    // None: the camera has no pictures.
+    // Its number. None: the camera has no pictures.
     [[nodiscard]] std::optional<std::size_t> at(double time) const {
         if (times_.empty()) {
             return std::nullopt;
@@ -48,10 +56,11 @@ class PictureTimes {
         const auto index = static_cast<std::size_t>(after - times_.begin());
         const bool is_before = index == times_.size() ||
                                (index > 0 && time - times_[index - 1] < times_[index] - time);
-        return is_before ? index - 1 : index;
+        return numbers_[is_before ? index - 1 : index];
     }
 
  private:
+    std::vector<std::size_t> numbers_;  // of the pictures in their film
     std::vector<double> times_;
 };
 
@@ -64,7 +73,7 @@ struct ViewPicture {
 /// What the window shows; keeps the session and what is made from it.
 class CorrectContent : public render::PaneContent {
  public:
-    CorrectContent(const CapturePlan& plan, const TrackingGiven& given, capture::Tracks tracks)
+    CorrectContent(const CapturePlan& plan, const TrackingGiven& given, FollowedMarkers followed)
         : plan_(plan),
           given_(given),
           films_(films_by_camera(plan)),
@@ -77,11 +86,17 @@ class CorrectContent : public render::PaneContent {
                  true,
                  {}} {
         session_.cameras = camera_names(plan);
-        session_.tracks = std::move(tracks);
+        session_.tracks = std::move(followed.stages.smoothed);
+        session_.is_of_joints = given.dancer.has_value();
         session_.edits = History<Edits>(given.edits);
         tracked_ = given.edits;
-        for (const std::string& camera : session_.cameras) {
-            times_.emplace_back(film_of(given.seen, camera), given.clocks);
+        shown_joints_ = std::move(followed.shown);
+        for (std::size_t camera = 0; camera < session_.cameras.size(); ++camera) {
+            const std::string& name = session_.cameras[camera];
+            times_.emplace_back(given.dancer ? &given.dancer->films[camera] : nullptr,
+                                film_of(given.seen, name),
+                                name,
+                                given.clocks);
         }
         for (std::size_t camera = 0; camera < shown_.size(); ++camera) {
             std::tie(scene_.views[camera].width, scene_.views[camera].height) =
@@ -115,6 +130,10 @@ class CorrectContent : public render::PaneContent {
     void fulfil(const CorrectAction& action) {
         const bool is_of_positions =
             std::holds_alternative<BeginSwap>(action) || std::holds_alternative<FillMarker>(action);
+        if (given_.dancer && is_of_positions) {
+            scene_.message = "Swap and fill are for markers; exchange sides or hide here";
+            return;
+        }
         if (given_.angles && is_of_positions) {
             scene_.message = "Swap and fill are for the method of positions; drag or hide here";
             return;
@@ -161,6 +180,8 @@ class CorrectContent : public render::PaneContent {
             return;
         }
         session_.tracks = std::move(followed->stages.smoothed);
+        shown_joints_ = std::move(followed->shown);
+        edited_.reset();
         scene_.message =
             fmt::format("Tracked again: {} stretches to look at", session_.tracks.flags.size());
     }
@@ -186,6 +207,11 @@ class CorrectContent : public render::PaneContent {
 
     // Brings views and curve up to the frame and marker that are looked at.
     void look() {
+        if (shown_joints_ && (!edited_ || edited_by_ != session_.edits.now())) {
+            edited_by_ = session_.edits.now();
+            edited_ = shown_joints_;
+            capture::apply_keypoint_edits(edited_by_, given_.rig, *edited_);
+        }
         for (std::size_t camera = 0; camera < shown_.size(); ++camera) {
             look_at(camera);
         }
@@ -217,8 +243,33 @@ class CorrectContent : public render::PaneContent {
                     capture::project(given_.rig.cameras[*rig_camera], place.place);
             }
         }
+        if (edited_) {
+            look_at_joints(camera);
+        }
         if (number && !plan_.cameras[camera].film.empty()) {
             show_picture(camera, *number);
+        }
+    }
+
+    // The joints as the network saw them, those that edits hide too; markers are at them.
+    void look_at_joints(std::size_t camera) {
+        CorrectView& view = scene_.views[camera];
+        const auto& seen = shown_joints_->at(session_.frame, camera);
+        const auto& edited = edited_->at(session_.frame, camera);
+        view.skeleton.emplace();
+        for (std::size_t i = 0; i < capture::kBodyPoints; ++i) {
+            const bool is_hidden = edited[i].visibility <= 0.0 && seen[i].visibility > 0.0;
+            const capture::Keypoint& shown = is_hidden ? seen[i] : edited[i];
+            (*view.skeleton)[i] = {shown.pixel, shown.visibility, is_hidden};
+        }
+        view.placed.fill(std::nullopt);
+        for (std::size_t marker = 0; marker < view.places.size(); ++marker) {
+            const auto point = capture::body_point_named(session_.tracks.markers[marker]);
+            const auto index = static_cast<std::size_t>(*point);
+            view.placed[index] = view.places[marker];
+            if (edited[index].visibility > 0.0) {
+                view.places[marker] = edited[index].pixel;
+            }
         }
     }
 
@@ -247,6 +298,10 @@ class CorrectContent : public render::PaneContent {
     CorrectSession session_;
     CorrectScene scene_;
     Edits tracked_;  // that the tracks are by
+    // Of joints: what the tracking shows, and the same after the edits as they are.
+    std::optional<capture::KeypointTake> shown_joints_;
+    std::optional<capture::KeypointTake> edited_;
+    Edits edited_by_;
     HostTime last_{};
     double position_ = 0.0;   // frames, while playing
     bool is_warned_ = false;  // that edits are not saved
@@ -269,7 +324,7 @@ Expected<void> correct_in_window(const CapturePlan& plan, const TrackingGiven& g
     if (!window) {
         return fail(std::move(window.error()));
     }
-    CorrectContent content(plan, given, std::move(followed->stages.smoothed));
+    CorrectContent content(plan, given, std::move(*followed));
     window->run(content, [] { return stop_signal().has_value(); });
     return {};
 }

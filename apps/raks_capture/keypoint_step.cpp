@@ -11,8 +11,6 @@
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
 #include "motion/capture/markerless/keypoint_markers.hpp"
-#include "motion/capture/markerless/keypoint_tracks.hpp"
-#include "motion/capture/markerless/side_exchange.hpp"
 
 namespace raks::apps {
 namespace {
@@ -93,16 +91,13 @@ Expected<SeenDancer> load_keypoint_take(const CapturePlan& plan) {
     return seen;
 }
 
-Expected<capture::Tracks> track_keypoints(const CapturePlan& plan) {
-    auto seen = load_keypoint_take(plan);
-    if (!seen) {
-        return fail(std::move(seen.error()));
-    }
+Expected<capture::Rig> load_rig_in_order(const CapturePlan& plan) {
     const auto rig = load_capture_rig(plan);
     if (!rig) {
         return fail(rig.error());
     }
     capture::Rig ordered;
+    ordered.floor = rig->floor;
     for (const PlannedCamera& camera : plan.cameras) {
         const auto index = rig->index_of(camera.name);
         if (!index) {
@@ -113,17 +108,7 @@ Expected<capture::Tracks> track_keypoints(const CapturePlan& plan) {
         }
         ordered.cameras.push_back(rig->cameras[*index]);
     }
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < ordered.cameras.size(); ++i) {
-        errors.push_back(capture::usual_error(seen->take, i));
-    }
-    const auto exchanges = capture::put_sides_right(ordered, errors, seen->take);
-    capture::Tracks tracks = capture::keypoint_tracks(ordered, seen->take, errors);
-    capture::add_flags(exchanges, tracks);
-    for (const std::string& line : capture::words_of(exchanges, plan_names(plan), tracks)) {
-        say(line);
-    }
-    return tracks;
+    return ordered;
 }
 
 bool is_of_keypoints(const capture::Tracks& tracks) {

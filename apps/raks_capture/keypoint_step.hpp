@@ -5,6 +5,7 @@
 
 #include "apps/raks_capture/capture_plan.hpp"
 #include "base/expected.hpp"
+#include "motion/capture/camera/rig.hpp"
 #include "motion/capture/keypoints/keypoints.hpp"
 #include "motion/capture/markerless/keypoint_take.hpp"
 #include "motion/capture/markers/observations.hpp"
@@ -24,9 +25,9 @@ struct SeenDancer {
 /// a camera without a clock; those of the files.
 [[nodiscard]] Expected<SeenDancer> load_keypoint_take(const CapturePlan& plan);
 
-/// The tracks of all joints by rig.toml. Errors: those of the files; a rig without a camera of the
-/// plan.
-[[nodiscard]] Expected<capture::Tracks> track_keypoints(const CapturePlan& plan);
+/// The cameras of rig.toml in the plan's order. Errors: those of the file; a rig without a camera
+/// of the plan.
+[[nodiscard]] Expected<capture::Rig> load_rig_in_order(const CapturePlan& plan);
 
 /// Whether all markers of the tracks have the names of keypoints.
 [[nodiscard]] bool is_of_keypoints(const capture::Tracks& tracks);

@@ -14,7 +14,6 @@
 #include "apps/raks_capture/capture_commands.hpp"
 #include "apps/raks_capture/capture_files.hpp"
 #include "apps/raks_capture/capture_plan.hpp"
-#include "apps/raks_capture/keypoint_step.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/program.hpp"
@@ -230,19 +229,27 @@ ExitCode track_joints(const CapturePlan& plan, const TrackArguments& arguments) 
             "--truth is of markers; raks capture compare --align tells how far the dance "
             "of a take without markers is from the true one");
     }
-    const auto tracks = track_keypoints(plan);
-    if (!tracks) {
-        return fail(tracks.error());
+    const auto given = load_joint_tracking(plan);
+    if (!given) {
+        return fail(given.error());
+    }
+    const auto followed = track_with(*given, given->edits);
+    if (!followed) {
+        return fail(Error(followed.error()).in(plan.file("edits.jsonl").string()));
+    }
+    const capture::Tracks& tracks = followed->stages.smoothed;
+    for (const std::string& line : followed->lines) {
+        say(line);
     }
     drop_angles(plan);
     const auto written = write_files(plan,
-                                     {{"flags.tsv", capture::flags_text(*tracks)},
+                                     {{"flags.tsv", capture::flags_text(tracks)},
                                       {"moved.tsv", capture::moves_text({})},
-                                      {"tracks.trc", capture::trc_text(*tracks, "tracks.trc")},
-                                      {"tracks.c3d", capture::c3d_bytes(*tracks)},
-                                      {"tracks.csv", capture::tracks_text(*tracks)}});
+                                      {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
+                                      {"tracks.c3d", capture::c3d_bytes(tracks)},
+                                      {"tracks.csv", capture::tracks_text(tracks)}});
     if (written) {
-        say(summary_of(*tracks));
+        say(summary_of(tracks));
     }
     return exit_code_of(written);
 }

@@ -74,8 +74,10 @@ void Pen::ring(float x, float y, float radius, Colour colour) const {
     list_.AddCircle(at(x, y), radius * unit_, packed(colour), 0, std::max(1.0F, 1.5F * unit_));
 }
 
-void Pen::line(float from_x, float from_y, float to_x, float to_y, Colour colour) const {
-    list_.AddLine(at(from_x, from_y), at(to_x, to_y), packed(colour), std::max(1.0F, unit_));
+void Pen::line(
+    float from_x, float from_y, float to_x, float to_y, Colour colour, float width) const {
+    list_.AddLine(
+        at(from_x, from_y), at(to_x, to_y), packed(colour), std::max(1.0F, width * unit_));
 }
 
 void Pen::triangle(ImVec2 a, ImVec2 b, ImVec2 c, Colour colour) const {

@@ -84,8 +84,9 @@ class Pen {
     void dot(float x, float y, float radius, Colour colour) const;
     /// The edge of a circle.
     void ring(float x, float y, float radius, Colour colour) const;
-    /// A straight line, one unit wide and at least one pixel.
-    void line(float from_x, float from_y, float to_x, float to_y, Colour colour) const;
+    /// A straight line, `width` units wide and at least one pixel.
+    void line(float from_x, float from_y, float to_x, float to_y, Colour colour, float width = 1.0F)
+        const;
     /// A filled triangle, in units.
     void triangle(ImVec2 a, ImVec2 b, ImVec2 c, Colour colour) const;
     /// One line; `x` is where it starts, ends or has its middle; `y` its top. Cut with an ellipsis

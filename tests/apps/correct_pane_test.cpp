@@ -169,6 +169,37 @@ TEST_F(CorrectPanes, buttons_and_keys_do_the_same) {
     EXPECT_FALSE(session_.is_playing);
 }
 
+TEST_F(CorrectPanes, of_joints_views_are_chosen_and_their_sides_exchanged) {
+    session_.is_of_joints = true;
+    for (CorrectView& view : scene_.views) {
+        view.skeleton.emplace();
+    }
+    click(at(2, {640.0, 600.0}));
+    EXPECT_EQ(session_.camera, 2U);
+    EXPECT_TRUE(session_.edits.now().empty()) << "a click sets no joint";
+    press(key_of(U'e'));
+    click(layout().exchange);
+    frames({KeyEvent{.key = key_of(U'e'), .has_shift = true}});
+    click(layout().exchange_limb);
+    press(key_of(U'h'));
+    click(layout().hide);
+    press(key_of(U'p'));
+    click(layout().hide_view);
+    const auto& edits = session_.edits.now();
+    ASSERT_EQ(edits.size(), 8U);
+    for (std::size_t i = 0; i < 8; i += 2) {
+        EXPECT_EQ(edits[i], edits[i + 1]) << "key and button do the same";
+        EXPECT_EQ(edits[i].camera, "c");
+    }
+    EXPECT_EQ(edits[0].kind, capture::EditKind::exchange);
+    EXPECT_EQ(edits[4].marker, markers_.markers[0].name);
+    EXPECT_EQ(edits[6].marker, "");
+    press(Key::tab);
+    EXPECT_EQ(session_.camera, 3U);
+    press(key_of(U'2'));
+    EXPECT_EQ(session_.camera, 1U);
+}
+
 TEST_F(CorrectPanes, one_view_fills_all_and_gives_way_again) {
     press(key_of(U'3'));
     EXPECT_GT(layout().views[2].width, 900.0F);
@@ -196,16 +227,18 @@ TEST(CorrectLayouts, hold_everything_at_any_size_and_number_of_cameras) {
          {std::pair{1024.0F, 600.0F}, {1280.0F, 720.0F}, {1536.0F, 864.0F}}) {
         for (const std::size_t cameras : {2U, 4U, 6U, 8U, 17U}) {
             const std::vector<double> shapes(cameras, 16.0 / 9.0);
-            const CorrectLayout layout =
-                correct_layout({0.0F, 0.0F, width, height}, shapes, 20, std::nullopt);
-            EXPECT_LE(layout.track.right(), layout.undo.x);
-            EXPECT_LE(layout.save.right(), width);
-            EXPECT_LE(layout.markers.back().bottom(), layout.timeline.y);
-            EXPECT_LE(layout.keys.bottom(), height);
-            for (const Box& view : layout.views) {
-                EXPECT_GT(view.width, 100.0F);
-                EXPECT_LE(view.right(), layout.title.x);
-                EXPECT_LE(view.bottom(), layout.timeline.y);
+            for (const CorrectKind kind : {CorrectKind::markers, CorrectKind::joints}) {
+                const CorrectLayout layout =
+                    correct_layout({0.0F, 0.0F, width, height}, shapes, 20, std::nullopt, kind);
+                EXPECT_LE(layout.track.right(), layout.undo.x);
+                EXPECT_LE(layout.save.right(), width);
+                EXPECT_LE(layout.markers.back().bottom(), layout.timeline.y);
+                EXPECT_LE(layout.keys.bottom(), height);
+                for (const Box& view : layout.views) {
+                    EXPECT_GT(view.width, 100.0F);
+                    EXPECT_LE(view.right(), layout.title.x);
+                    EXPECT_LE(view.bottom(), layout.timeline.y);
+                }
             }
         }
     }

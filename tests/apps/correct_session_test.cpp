@@ -146,6 +146,63 @@ TEST_F(CorrectSessions, frames_end_with_the_tracks) {
     EXPECT_EQ(session_.frame, 0U) << "at the end it plays from the start";
 }
 
+/// The same of a take without markers.
+class CorrectJoints : public CorrectSessions {
+ protected:
+    CorrectJoints() {
+        session_.is_of_joints = true;
+        session_.tracks.markers = {"nose", "left_wrist", "right_ankle"};
+        session_.tracks.places.resize(300);
+        session_.tracks.flags = {{Doubt::jumped, 1, 30, 34, "right"},
+                                 {Doubt::lost, 2, 50, 60},
+                                 {Doubt::person, 0, 70, 79, "left"}};
+    }
+};
+
+TEST_F(CorrectJoints, a_flag_leads_to_its_camera_and_its_frames_are_edited) {
+    act(ShowFlag{.is_next = true});
+    act(HideMarker{});
+    EXPECT_EQ(text(),
+              R"({"camera":"right","edit":"hide","first":30,"last":34,"marker":"left_wrist"})"
+              "\n");
+    act(ShowFlag{.is_next = true});
+    act(ShowFlag{.is_next = true});
+    EXPECT_EQ(session_.camera, 0U);
+    act(HideView{});
+    EXPECT_EQ(edits().back(),
+              (Edit{.kind = EditKind::hide, .camera = "left", .first = 70, .last = 79}));
+    act(UndoEdit{});
+    EXPECT_EQ(edits().size(), 1U);
+}
+
+TEST_F(CorrectJoints, sides_are_exchanged_in_the_view_that_was_chosen) {
+    act(ChooseView{1});
+    act(ShowFrame{40});
+    act(SetStretch{.is_first = true});
+    act(ShowFrame{44});
+    act(SetStretch{.is_first = false});
+    act(ExchangeSides{});
+    const Edit all{.kind = EditKind::exchange, .camera = "right", .first = 40, .last = 44};
+    EXPECT_EQ(edits().back(), all);
+    for (const auto& [marker, limbs] : {std::pair(1U, "arms"), {2U, "legs"}, {0U, ""}}) {
+        act(ChooseMarker{marker});
+        act(ExchangeSides{.is_of_limb = true});
+        EXPECT_EQ(edits().back().limbs, limbs);
+        EXPECT_EQ(edits().back().first, 44U) << "this frame alone, without a stretch";
+    }
+}
+
+TEST_F(CorrectJoints, frames_that_another_view_or_none_is_doubted_in_are_not_meant) {
+    act(ShowFrame{32});
+    act(ChooseView{0});
+    act(HideView{});
+    EXPECT_EQ(edits().back().last, 32U) << "jumped in the right view alone";
+    act(ShowFrame{55});
+    act(ChooseMarker{2});
+    act(ExchangeSides{});
+    EXPECT_EQ(edits().back().last, 55U) << "lost is no reason to exchange anything";
+}
+
 TEST(EditChecks, name_what_there_is_not) {
     const capture::MarkerSet markers = capture::default_markers();
     const capture::Rig rig = capture::studio_rig(6);

@@ -84,10 +84,7 @@ void flag_unsure_joints(const AngleTrack& track,
             first = frame + 1;
         }
     }
-    std::sort(tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {
-        return std::tie(one.first, one.marker, one.doubt) <
-               std::tie(other.first, other.marker, other.doubt);
-    });
+    sort_flags(tracks);
     tracks.flags.erase(std::unique(tracks.flags.begin(), tracks.flags.end()), tracks.flags.end());
 }
 

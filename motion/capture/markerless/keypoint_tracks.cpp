@@ -15,52 +15,9 @@
 namespace raks::capture {
 namespace {
 
-// A less sure view does not count. A network guesses hidden joints well: on rendered dancers elbows
-// and wrists of a visibility of 0.05 to 0.3 are off by 10 to 23 px (median) where sure ones are by
-// 5 to 8, much less than a hand that nobody places; their weight in a place is their visibility.
-constexpr double kLeastVisibility = 0.05;
 constexpr double kMostResidual = 4.0;      // usual errors
 constexpr double kLongestUnflagged = 0.2;  // seconds
 constexpr double kLongestContradiction = 0.1;
-
-// What became of one point at one frame.
-enum class Outcome : std::uint8_t { placed, unseen, contradicts };
-
-struct PlacedPoint {
-    Outcome outcome = Outcome::unseen;
-    MarkerPlace place;
-};
-
-PlacedPoint place_point(const Rig& rig,
-                        const KeypointTake& take,
-                        std::size_t frame,
-                        BodyPoint point,
-                        const std::vector<double>& errors) {
-    std::vector<PointView> views;
-    double error = 0.0;
-    for (std::size_t camera = 0; camera < take.cameras; ++camera) {
-        const Keypoint& seen = take.point(frame, camera, point);
-        if (seen.visibility >= kLeastVisibility && errors[camera] > 0.0) {
-            views.push_back(
-                {camera, direction_of(rig.cameras[camera].lens, seen.pixel), {}, seen.visibility});
-            error += errors[camera];
-        }
-    }
-    if (views.size() < 2) {
-        return {};
-    }
-    error /= static_cast<double>(views.size());
-    const auto placed = triangulate(rig, views, error);
-    if (!placed || placed->residual > kMostResidual * error) {
-        return {Outcome::contradicts, {}};
-    }
-    MarkerPlace place;
-    place.place = placed->place;
-    place.deviation = placed->deviation();
-    place.views = static_cast<std::uint8_t>(placed->views.size());
-    place.source = PlaceSource::seen;
-    return {Outcome::placed, place};
-}
 
 // The middle of the trunk's joints at a frame; none: fewer than three are placed.
 std::optional<glm::dvec3> trunk_at(const Tracks& tracks, std::size_t frame) {
@@ -84,7 +41,7 @@ std::optional<glm::dvec3> trunk_at(const Tracks& tracks, std::size_t frame) {
 }
 
 // Takes out the frames in which the body is where the dancer cannot have got to.
-void drop_jumps(Tracks& tracks, std::vector<Outcome>& outcomes) {
+void drop_jumps(Tracks& tracks, std::vector<KeypointOutcome>& outcomes) {
     constexpr double kTrembling = 0.35;   // metres that a placed trunk may be off
     constexpr double kFastest = 2.5;      // m/s of a dancer's trunk
     constexpr double kFarthest = 0.75;    // metres that are allowed for at most
@@ -108,7 +65,7 @@ void drop_jumps(Tracks& tracks, std::vector<Outcome>& outcomes) {
         is_away = true;
         for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
             tracks.at(frame, marker) = {};
-            outcomes[frame * tracks.markers.size() + marker] = Outcome::contradicts;
+            outcomes[frame * tracks.markers.size() + marker] = KeypointOutcome::contradicts;
         }
     }
 }
@@ -134,6 +91,43 @@ void flag_stretches(Doubt doubt,
 
 }  // namespace
 
+PlacedKeypoint place_keypoint(const Rig& rig,
+                              const KeypointTake& take,
+                              std::size_t frame,
+                              BodyPoint point,
+                              const std::vector<double>& errors) {
+    std::vector<PointView> views;
+    double error = 0.0;
+    for (std::size_t camera = 0; camera < take.cameras; ++camera) {
+        const Keypoint& seen = take.point(frame, camera, point);
+        if (seen.visibility >= kLeastVisibility && errors[camera] > 0.0) {
+            views.push_back(
+                {camera, direction_of(rig.cameras[camera].lens, seen.pixel), {}, seen.visibility});
+            error += errors[camera];
+        }
+    }
+    if (views.size() < 2) {
+        return {};
+    }
+    error /= static_cast<double>(views.size());
+    const auto placed = triangulate(rig, views, error);
+    if (!placed || placed->residual > kMostResidual * error) {
+        return {KeypointOutcome::contradicts, {}, {}};
+    }
+    PlacedKeypoint found;
+    found.outcome = KeypointOutcome::placed;
+    found.place.place = placed->place;
+    found.place.deviation = placed->deviation();
+    found.place.views = static_cast<std::uint8_t>(placed->views.size());
+    found.place.source = PlaceSource::seen;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        if (std::find(placed->views.begin(), placed->views.end(), view) == placed->views.end()) {
+            found.odd.push_back(views[view].camera);
+        }
+    }
+    return found;
+}
+
 Tracks keypoint_tracks(const Rig& rig,
                        const KeypointTake& take,
                        const std::vector<double>& errors) {
@@ -145,10 +139,10 @@ Tracks keypoint_tracks(const Rig& rig,
     tracks.frames_per_second = take.frames_per_second;
     tracks.first_time = take.first_time;
     tracks.frame_count = take.frame_count;
-    std::vector<Outcome> outcomes;
+    std::vector<KeypointOutcome> outcomes;
     for (std::size_t frame = 0; frame < take.frame_count; ++frame) {
         for (const BodyPoint point : points) {
-            const PlacedPoint placed = place_point(rig, take, frame, point, errors);
+            const PlacedKeypoint placed = place_keypoint(rig, take, frame, point, errors);
             tracks.places.push_back(placed.place);
             outcomes.push_back(placed.outcome);
         }
@@ -161,20 +155,17 @@ Tracks keypoint_tracks(const Rig& rig,
         Doubt::residual,
         kLongestContradiction,
         [&](std::size_t frame, std::size_t marker) {
-            return outcome(frame, marker) == Outcome::contradicts;
+            return outcome(frame, marker) == KeypointOutcome::contradicts;
         },
         tracks);
     flag_stretches(
         Doubt::lost,
         kLongestUnflagged,
         [&](std::size_t frame, std::size_t marker) {
-            return outcome(frame, marker) == Outcome::unseen;
+            return outcome(frame, marker) == KeypointOutcome::unseen;
         },
         tracks);
-    std::stable_sort(
-        tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {
-            return std::pair(one.first, one.marker) < std::pair(other.first, other.marker);
-        });
+    sort_flags(tracks);
     return tracks;
 }
 

@@ -224,7 +224,9 @@ std::vector<SideExchange> put_sides_right(const Rig& rig,
     return all;
 }
 
-void add_flags(const std::vector<SideExchange>& exchanges, Tracks& tracks) {
+void add_flags(const std::vector<SideExchange>& exchanges,
+               const std::vector<std::string>& names,
+               Tracks& tracks) {
     for (const SideExchange& stretch : exchanges) {
         const BodyPoint end =
             stretch.limbs == ExchangedLimbs::arms ? BodyPoint::left_wrist : BodyPoint::left_ankle;
@@ -235,13 +237,12 @@ void add_flags(const std::vector<SideExchange>& exchanges, Tracks& tracks) {
                 tracks.flags.push_back({Doubt::exchanged,
                                         static_cast<std::size_t>(found - tracks.markers.begin()),
                                         stretch.first,
-                                        stretch.last});
+                                        stretch.last,
+                                        names[stretch.camera]});
             }
         }
     }
-    std::stable_sort(tracks.flags.begin(), tracks.flags.end(), [](const Flag& a, const Flag& b) {
-        return std::pair(a.first, a.marker) < std::pair(b.first, b.marker);
-    });
+    sort_flags(tracks);
 }
 
 std::vector<std::string> words_of(const std::vector<SideExchange>& exchanges,

@@ -34,8 +34,11 @@ struct SideExchange {
 /// Exchanges the sides of arms or legs of one camera in some frames, last included.
 void exchange_sides(const SideExchange& stretch, KeypointTake& take);
 
-/// Flags the ends of the limbs in these stretches as exchanged. `tracks`: of the same take.
-void add_flags(const std::vector<SideExchange>& exchanges, Tracks& tracks);
+/// Flags the ends of the limbs in these stretches as exchanged, with their camera. `names`: of the
+/// cameras; `tracks`: of the same take.
+void add_flags(const std::vector<SideExchange>& exchanges,
+               const std::vector<std::string>& names,
+               Tracks& tracks);
 
 /// What was exchanged, a line a camera. `names`: of the cameras.
 [[nodiscard]] std::vector<std::string> words_of(const std::vector<SideExchange>& exchanges,

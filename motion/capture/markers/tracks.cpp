@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/printable.hpp"
@@ -159,8 +160,8 @@ Expected<std::size_t> frame_of(std::string_view cell, const Tracks& tracks) {
 }
 
 Expected<Flag> flag_of(const std::vector<std::string_view>& cells, const Tracks& tracks) {
-    if (cells.size() != 4) {
-        return fail("needs doubt, marker, first and last");
+    if (cells.size() != 4 && cells.size() != 5) {
+        return fail("needs doubt, marker, first, last and camera");
     }
     const auto* const doubt = std::find(std::begin(kDoubtNames), std::end(kDoubtNames), cells[0]);
     const auto marker = std::find(tracks.markers.begin(), tracks.markers.end(), cells[1]);
@@ -175,10 +176,19 @@ Expected<Flag> flag_of(const std::vector<std::string_view>& cells, const Tracks&
     return Flag{static_cast<Doubt>(doubt - std::begin(kDoubtNames)),
                 static_cast<std::size_t>(marker - tracks.markers.begin()),
                 *first,
-                *last};
+                *last,
+                cells.size() > 4 ? std::string(cells[4]) : std::string()};
 }
 
 }  // namespace
+
+void sort_flags(Tracks& tracks) {
+    std::stable_sort(
+        tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {
+            return std::tie(one.first, one.marker, one.doubt) <
+                   std::tie(other.first, other.marker, other.doubt);
+        });
+}
 
 std::string tracks_text(const Tracks& tracks) {
     std::string text = fmt::format("{}\n", kTracksHead);
@@ -220,13 +230,14 @@ Expected<Tracks> read_tracks(std::string_view text, const std::string& file) {
 }
 
 std::string flags_text(const Tracks& tracks) {
-    std::string text = "doubt\tmarker\tfirst\tlast\n";
+    std::string text = "doubt\tmarker\tfirst\tlast\tcamera\n";
     for (const Flag& flag : tracks.flags) {
-        text += fmt::format("{}\t{}\t{}\t{}\n",
+        text += fmt::format("{}\t{}\t{}\t{}\t{}\n",
                             kDoubtNames[static_cast<std::size_t>(flag.doubt)],
                             tracks.markers[flag.marker],
                             flag.first,
-                            flag.last);
+                            flag.last,
+                            flag.camera);
     }
     return text;
 }
@@ -234,9 +245,11 @@ std::string flags_text(const Tracks& tracks) {
 Expected<void> read_flags(std::string_view text, const std::string& file, Tracks& tracks) {
     motion::TableRows rows(motion::without_byte_order_mark(text), '\t');
     motion::TableRow cells;
-    if (!rows.next(cells) || cells.cells.size() != 4 || cells.cells[0] != "doubt") {
+    if (!rows.next(cells) || cells.cells[0] != "doubt" ||
+        (cells.cells.size() != 4 && cells.cells.size() != 5)) {
         return fail(file +
-                    ": is not a table of flags: its first line must be doubt, marker, first, last");
+                    ": is not a table of flags: its first line must be doubt, marker, first, last, "
+                    "camera");
     }
     std::vector<Flag> flags;
     while (rows.next(cells)) {

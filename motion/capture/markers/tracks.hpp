@@ -37,10 +37,12 @@ enum class Doubt : std::uint8_t {
     exchanged,  ///< it may have changed places with another marker
     residual,   ///< its views do not agree, or agree on a jump
     unsure,     ///< the angle of its joint is known to 20 degrees at best, by angles
+    jumped,     ///< a network has it far from where other views and moments have it
+    person,     ///< a network follows somebody else; of the whole body
 };
 /// Names of the doubts, as files have them, by Doubt.
 inline constexpr std::string_view kDoubtNames[] = {
-    "lost", "filled", "length", "exchanged", "residual", "unsure"};
+    "lost", "filled", "length", "exchanged", "residual", "unsure", "jumped", "person"};
 
 /// A stretch of a track that a person should look at.
 struct Flag {
@@ -48,6 +50,7 @@ struct Flag {
     std::size_t marker = 0;  ///< index in Tracks::markers
     std::size_t first = 0;   ///< frame
     std::size_t last = 0;    ///< frame, included
+    std::string camera{};    ///< whose view it is about; empty: of all
 
     friend bool operator==(const Flag&, const Flag&) = default;
 };
@@ -59,7 +62,7 @@ struct Tracks {
     double first_time = 0.0;           ///< capture time of frame 0; seconds
     std::size_t frame_count = 0;
     std::vector<MarkerPlace> places;  ///< frames x markers, row-major
-    std::vector<Flag> flags;          ///< by first frame, then marker
+    std::vector<Flag> flags;          ///< by first frame, then marker and doubt
 
     /// A marker's place at a frame.
     [[nodiscard]] MarkerPlace& at(std::size_t frame, std::size_t marker) noexcept {
@@ -75,6 +78,9 @@ struct Tracks {
     }
 };
 
+/// Puts the flags into their order.
+void sort_flags(Tracks& tracks);
+
 /// Tracks as a table (`tracks.csv`): frame,time,marker,x,y,z,deviation,views,source; a lost place
 /// has blank cells. Numbers read back to the same bits.
 [[nodiscard]] std::string tracks_text(const Tracks& tracks);
@@ -82,9 +88,10 @@ struct Tracks {
 /// of order or not complete, more than 1,000 markers.
 [[nodiscard]] Expected<Tracks> read_tracks(std::string_view text, const std::string& file);
 
-/// Flags as a table (`flags.tsv`): doubt, marker, first, last.
+/// Flags as a table (`flags.tsv`): doubt, marker, first, last, camera.
 [[nodiscard]] std::string flags_text(const Tracks& tracks);
-/// Reads them into `tracks`. Errors: an unknown doubt or marker, frames that the tracks lack.
+/// Reads them into `tracks`; tables without the column of cameras too. Errors: an unknown doubt or
+/// marker, frames that the tracks lack.
 [[nodiscard]] Expected<void> read_flags(std::string_view text,
                                         const std::string& file,
                                         Tracks& tracks);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
@@ -18,21 +19,29 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 4> kEditNames = {"set", "hide", "swap", "fill"};
+constexpr std::array<std::string_view, 5> kEditNames = {"set", "hide", "swap", "fill", "exchange"};
 
 // The keys that each kind has, beside "edit".
 std::span<const std::string_view> keys_of(EditKind kind) {
     static constexpr std::array<std::string_view, 5> kSet = {"frame", "camera", "marker", "u", "v"};
-    static constexpr std::array<std::string_view, 3> kStretch = {"marker", "first", "last"};
+    static constexpr std::array<std::string_view, 4> kHide = {"marker", "camera", "first", "last"};
+    static constexpr std::array<std::string_view, 3> kFill = {"marker", "first", "last"};
     static constexpr std::array<std::string_view, 3> kSwap = {"frame", "marker", "other"};
+    static constexpr std::array<std::string_view, 4> kExchange = {
+        "camera", "limbs", "first", "last"};
     switch (kind) {
         case EditKind::set:
             return kSet;
         case EditKind::swap:
             return kSwap;
-        default:
-            return kStretch;
+        case EditKind::hide:
+            return kHide;
+        case EditKind::fill:
+            return kFill;
+        case EditKind::exchange:
+            return kExchange;
     }
+    return {};
 }
 
 Expected<std::string> text_at(const Json& line, const std::string& key) {
@@ -40,6 +49,13 @@ Expected<std::string> text_at(const Json& line, const std::string& key) {
         return fail(fmt::format("needs \"{}\" with a name", key));
     }
     return line[key].get<std::string>();
+}
+
+Expected<std::string> limbs_at(const Json& line) {
+    auto limbs = text_at(line, "limbs");
+    return limbs && (*limbs == "arms" || *limbs == "legs")
+               ? limbs
+               : fail("needs \"limbs\" with arms or legs, or none for both");
 }
 
 Expected<std::size_t> frame_at(const Json& line, const std::string& key) {
@@ -79,7 +95,7 @@ class EditValues {
 
 Expected<Edit> edit_of(const Json& line) {
     if (!line.is_object() || !line.contains("edit") || !line["edit"].is_string()) {
-        return fail("needs {\"edit\": \"set\", ...}, or hide, swap, fill");
+        return fail("needs {\"edit\": \"set\", ...}, or hide, swap, fill, exchange");
     }
     const std::string name = line["edit"].get<std::string>();
     const auto* const kind = std::find(kEditNames.begin(), kEditNames.end(), name);
@@ -95,16 +111,25 @@ Expected<Edit> edit_of(const Json& line) {
         }
     }
     EditValues values;
-    values.take(text_at(line, "marker"), edit.marker);
-    if (edit.kind == EditKind::set) {
+    const bool is_of_camera = line.contains("camera");
+    if (edit.kind != EditKind::exchange &&
+        (edit.kind != EditKind::hide || !is_of_camera || line.contains("marker"))) {
+        values.take(text_at(line, "marker"), edit.marker);
+    }
+    if (edit.kind == EditKind::set || edit.kind == EditKind::exchange || is_of_camera) {
         values.take(text_at(line, "camera"), edit.camera);
+    }
+    if (edit.kind == EditKind::set) {
         values.take(pixel_at(line, "u"), edit.pixel.x);
         values.take(pixel_at(line, "v"), edit.pixel.y);
     }
     if (edit.kind == EditKind::swap) {
         values.take(text_at(line, "other"), edit.other);
     }
-    const bool is_stretch = edit.kind == EditKind::hide || edit.kind == EditKind::fill;
+    if (line.contains("limbs")) {
+        values.take(limbs_at(line), edit.limbs);
+    }
+    const bool is_stretch = edit.kind != EditKind::set && edit.kind != EditKind::swap;
     values.take(frame_at(line, is_stretch ? "first" : "frame"), edit.first);
     edit.last = edit.first;
     if (is_stretch) {
@@ -123,24 +148,24 @@ Expected<Edit> edit_of(const Json& line) {
 }
 
 Json json_of(const Edit& edit) {
-    Json line = {{"edit", kEditNames[static_cast<std::size_t>(edit.kind)]},
-                 {"marker", edit.marker}};
-    switch (edit.kind) {
-        case EditKind::set:
-            line["frame"] = edit.first;
-            line["camera"] = edit.camera;
-            line["u"] = edit.pixel.x;
-            line["v"] = edit.pixel.y;
-            break;
-        case EditKind::swap:
-            line["frame"] = edit.first;
-            line["other"] = edit.other;
-            break;
-        case EditKind::hide:
-        case EditKind::fill:
-            line["first"] = edit.first;
-            line["last"] = edit.last;
-            break;
+    Json line = {{"edit", kEditNames[static_cast<std::size_t>(edit.kind)]}};
+    for (const auto& [key, value] : {std::pair("marker", &edit.marker),
+                                     {"other", &edit.other},
+                                     {"camera", &edit.camera},
+                                     {"limbs", &edit.limbs}}) {
+        if (!value->empty()) {
+            line[key] = *value;
+        }
+    }
+    if (edit.kind == EditKind::set || edit.kind == EditKind::swap) {
+        line["frame"] = edit.first;
+    } else {
+        line["first"] = edit.first;
+        line["last"] = edit.last;
+    }
+    if (edit.kind == EditKind::set) {
+        line["u"] = edit.pixel.x;
+        line["v"] = edit.pixel.y;
     }
     return line;
 }

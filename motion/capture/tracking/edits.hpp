@@ -14,10 +14,11 @@ namespace raks::capture {
 
 /// What an edit does.
 enum class EditKind {
-    set,   ///< the marker is at this pixel of a camera at this frame
-    hide,  ///< the marker's spots are not believed in these frames
-    swap,  ///< from this frame on the two markers are each other
-    fill   ///< the marker's places in these frames are made from those around them
+    set,      ///< the marker is at this pixel of a camera at this frame
+    hide,     ///< the marker's spots are not believed in these frames
+    swap,     ///< from this frame on the two markers are each other
+    fill,     ///< the marker's places in these frames are made from those around them
+    exchange  ///< left and right are exchanged in what a camera's network saw in these frames
 };
 
 /// One edit. `edits.jsonl` has one such a line:
@@ -26,14 +27,23 @@ enum class EditKind {
 ///     {"edit": "hide", "marker": "head", "first": 130, "last": 150}
 ///     {"edit": "swap", "frame": 200, "marker": "left_wrist", "other": "right_wrist"}
 ///     {"edit": "fill", "marker": "c7", "first": 40, "last": 52}
+///
+/// Takes without markers know `set`, `hide` (of a joint, of one camera's sights of it, or of all
+/// that a camera sees) and `exchange`, of all limbs or of these:
+///
+///     {"edit": "hide", "camera": "left", "first": 130, "last": 150}
+///     {"edit": "hide", "camera": "left", "marker": "left_wrist", "first": 130, "last": 150}
+///     {"edit": "exchange", "camera": "left", "first": 200, "last": 214}
+///     {"edit": "exchange", "camera": "left", "limbs": "legs", "first": 200, "last": 214}
 struct Edit {
     EditKind kind = EditKind::set;
-    std::string marker;
-    std::string other;      ///< of swap
-    std::string camera;     ///< of set
+    std::string marker{};   ///< empty: exchange, or hide of all that a camera sees
+    std::string other{};    ///< of swap
+    std::string camera{};   ///< of set and exchange; of hide where it is of one camera
     std::size_t first = 0;  ///< frame
-    std::size_t last = 0;   ///< frame, included; of hide and fill, else `first`
+    std::size_t last = 0;   ///< frame, included; of hide, fill and exchange, else `first`
     glm::dvec2 pixel{};     ///< of set
+    std::string limbs{};    ///< of exchange: "arms" or "legs"; empty: both
 
     friend bool operator==(const Edit&, const Edit&) = default;
 };

@@ -92,6 +92,10 @@ class SaidReader {
     }
 
     Expected<void> add_edit(const Edit& edit) {
+        if (edit.kind == EditKind::exchange ||
+            (edit.kind == EditKind::hide && !edit.camera.empty())) {
+            return fail("edits of what one camera sees are for takes without markers");
+        }
         const auto marker = marker_called(edit.marker);
         if (!marker) {
             return fail(marker.error());
@@ -104,6 +108,7 @@ class SaidReader {
                 run_.hidden.push_back({*marker, edit.first, edit.last});
                 return {};
             case EditKind::swap:
+            case EditKind::exchange:
                 break;
         }
         const auto other = marker_called(edit.other);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -176,10 +175,7 @@ void flag(const Tracked& tracked, const TrackRunInput& run, Tracks& tracks) {
             return is_odd(tracked, run.sigma, frame, marker);
         });
     }
-    std::sort(tracks.flags.begin(), tracks.flags.end(), [](const Flag& one, const Flag& other) {
-        return std::tie(one.first, one.marker, one.doubt) <
-               std::tie(other.first, other.marker, other.doubt);
-    });
+    sort_flags(tracks);
 }
 
 }  // namespace

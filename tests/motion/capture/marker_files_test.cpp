@@ -30,7 +30,7 @@ Tracks some_tracks() {
             {0.1 * static_cast<double>(frame), 1.0 / 3.0, 2.0}, 0.004, 3, PlaceSource::seen};
     }
     tracks.at(1, 1) = {{1.0, 1.0, 1.0}, 0.02, 0, PlaceSource::filled};
-    tracks.flags = {{Doubt::lost, 1, 0, 2}, {Doubt::length, 0, 1, 1}};
+    tracks.flags = {{Doubt::lost, 1, 0, 2}, {Doubt::jumped, 0, 1, 1, "left"}};
     return tracks;
 }
 
@@ -110,6 +110,9 @@ TEST(Tracks, read_back_to_the_same_bits) {
     EXPECT_EQ(read->at(2, 1).source, PlaceSource::lost);
     ASSERT_TRUE(read_flags(flags_text(tracks), "flags.tsv", *read));
     EXPECT_EQ(read->flags, tracks.flags);
+    // Tables of before there were cameras in them.
+    ASSERT_TRUE(read_flags("doubt\tmarker\tfirst\tlast\nlost\thead\t0\t1\n", "f.tsv", *read));
+    EXPECT_EQ(read->flags, (std::vector<Flag>{{Doubt::lost, 0, 0, 1}}));
 }
 
 TEST(Tracks, say_what_is_wrong) {

@@ -279,7 +279,11 @@ TEST(Edits, read_back_and_say_what_is_wrong) {
     const std::vector<Edit> edits = {{EditKind::set, "head", "", "left", 12, 12, {0.1, 2.0}},
                                      {EditKind::hide, "c7", "", "", 3, 9, {}},
                                      {EditKind::swap, "a", "b", "", 7, 7, {}},
-                                     {EditKind::fill, "c7", "", "", 3, 3, {}}};
+                                     {EditKind::fill, "c7", "", "", 3, 3, {}},
+                                     {EditKind::hide, "", "", "left", 3, 9, {}},
+                                     {EditKind::hide, "c7", "", "left", 3, 9, {}},
+                                     {EditKind::exchange, "", "", "left", 3, 9, {}},
+                                     {EditKind::exchange, "", "", "left", 3, 9, {}, "legs"}};
     const auto read = read_edits(edits_text(edits), "e.jsonl");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, edits);
@@ -291,6 +295,14 @@ TEST(Edits, read_back_and_say_what_is_wrong) {
     EXPECT_NE(
         why("{\"edit\":\"swap\",\"marker\":\"a\",\"other\":\"a\",\"frame\":1}").find("itself"),
         std::string::npos);
+    EXPECT_NE(why("{\"edit\":\"hide\",\"first\":1,\"last\":2}").find("needs \"marker\""),
+              std::string::npos);
+    EXPECT_NE(why("{\"edit\":\"exchange\",\"first\":1,\"last\":2}").find("needs \"camera\""),
+              std::string::npos);
+    EXPECT_NE(why("{\"edit\":\"exchange\",\"camera\":\"a\",\"limbs\":\"hands\",\"first\":1,"
+                  "\"last\":2}")
+                  .find("arms or legs"),
+              std::string::npos);
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         (void)read_edits(test::mangled(edits_text(edits), {.seed = seed}), "e");
     }

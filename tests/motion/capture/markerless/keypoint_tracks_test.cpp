@@ -75,9 +75,10 @@ TEST(SideExchange, finds_the_stretch_and_puts_it_right) {
     EXPECT_EQ(limbs.size(), 2U);
     EXPECT_NEAR(static_cast<double>(frames), 60.0, 8.0);
     Tracks tracks = keypoint_tracks(seen.rig, seen.take, seen.errors);
-    add_flags(found, tracks);
+    add_flags(found, {"left", "right"}, tracks);
     EXPECT_TRUE(std::any_of(tracks.flags.begin(), tracks.flags.end(), [&](const Flag& flag) {
-        return flag.doubt == Doubt::exchanged && tracks.markers[flag.marker] == "left_ankle";
+        return flag.doubt == Doubt::exchanged && tracks.markers[flag.marker] == "left_ankle" &&
+               flag.camera == "left";
     }));
     const auto lines = words_of(found, {"left", "right"}, tracks);
     ASSERT_EQ(lines.size(), 1U);
