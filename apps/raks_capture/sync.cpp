@@ -1,4 +1,6 @@
 // `raks capture sync`: the clocks of the films from their sound.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -71,7 +73,7 @@ Expected<SyncPlan> plan_of(const SyncArguments& arguments) {
 
 // Clocks of cameras that heard nothing, by what moves; those that were heard are checked by it.
 // Without keypoints or spots nothing changes.
-void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
+void tell_by_motion(const SyncArguments& arguments, bool has_song, SyncResult& result) {
     const auto capture = load_capture_plan(arguments.folder);
     if (!capture || arguments.is_of_boards || !has_motion(*capture)) {
         return;
@@ -92,7 +94,7 @@ void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
         for (const capture::Clock& clock : clocks->clocks) {
             if (!camera.clock && clock.camera == camera.camera) {
                 camera.clock = clock;
-                camera.through = "motion";
+                camera.is_by_motion = true;
                 // What its sound does not tell is no trouble any more.
                 auto& warnings = result.warnings;
                 warnings.erase(std::remove_if(warnings.begin(),
@@ -104,9 +106,13 @@ void tell_by_motion(const SyncArguments& arguments, SyncResult& result) {
             }
         }
     }
-    say("no sound tells all clocks: what moves in the films told the others, within some "
-        "10 milliseconds");
-    result.is_whole = result.is_whole && clocks->doubts.empty();
+    say(
+        fmt::format("no sound tells all clocks: what moves in the films told the others, within "
+                    "some {:.0f} milliseconds",
+                    1e3 * clocks->usual_error));
+    const bool is_song_known = !has_song || result.song.has_value();
+    result.is_whole =
+        is_song_known && clocks->doubts.empty() && result.clocks().size() == result.cameras.size();
     result.warnings.insert(result.warnings.end(), clocks->doubts.begin(), clocks->doubts.end());
 }
 
@@ -146,7 +152,7 @@ ExitCode sync_capture(const SyncArguments& arguments) {
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }
-    tell_by_motion(arguments, *result);
+    tell_by_motion(arguments, plan->music.has_value(), *result);
     for (const std::string& warning : result->warnings) {
         say(warning);
     }
