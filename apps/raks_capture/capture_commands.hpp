@@ -150,6 +150,9 @@ struct KeypointArguments {
 /// Finds the joints of a dancer without markers in all films. Errors: no film; no network; no film
 /// that shows a whole body; files.
 [[nodiscard]] ExitCode keypoints(const KeypointArguments& arguments);
+/// Says of keypoints that were found before whether a dance can be got from them, as keypoints()
+/// does. Errors: no film that shows a whole body; files.
+[[nodiscard]] ExitCode judge_kept_keypoints(const std::string& folder);
 
 /// Arguments of `raks capture correct`.
 struct CorrectArguments {

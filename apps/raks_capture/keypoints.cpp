@@ -176,11 +176,13 @@ class KeypointRun {
 // Says what the cameras see. Errors: fewer than one (of one camera), or two, see a whole body.
 ExitCode judge(const std::vector<capture::KeypointFilm>& seen) {
     std::size_t usable = 0;
+    std::string unusable;
     for (const capture::KeypointFilm& film : seen) {
         const capture::KeypointShares shares = capture::keypoint_shares(film);
         const std::string why = capture::why_no_dance(shares);
         if (!why.empty()) {
             say(fmt::format("camera {}: {}", film.camera, why));
+            unusable += (unusable.empty() ? "" : ", ") + film.camera;
             continue;
         }
         ++usable;
@@ -195,10 +197,20 @@ ExitCode judge(const std::vector<capture::KeypointFilm>& seen) {
                                 seen.size(),
                                 needed == 1 ? "film the whole body" : "two are needed"));
     }
-    return usable == seen.size() ? kExitDone : kExitPartly;
+    if (usable < seen.size()) {
+        say(fmt::format("to go on without {}, take it out of capture.toml", unusable));
+        return kExitPartly;
+    }
+    return kExitDone;
 }
 
 }  // namespace
+
+ExitCode judge_kept_keypoints(const std::string& folder) {
+    const auto plan = load_capture_plan(folder);
+    const auto seen = plan ? load_keypoints(*plan) : fail(plan.error());
+    return seen ? judge(*seen) : fail(seen.error());
+}
 
 ExitCode keypoints(const KeypointArguments& arguments) {
     const auto plan = load_capture_plan(arguments.folder);

@@ -167,7 +167,7 @@ Expected<MotionClocks> clocks_by_joints(const CapturePlan& plan,
             clocks[i].confidence = confidence;
         }
     }
-    return MotionClocks{std::move(clocks), std::move(rough->doubts)};
+    return MotionClocks{std::move(clocks), std::move(rough->doubts), 0.01};
 }
 
 Expected<MotionClocks> clocks_by_spots(const CapturePlan& plan,
@@ -188,7 +188,7 @@ Expected<MotionClocks> clocks_by_spots(const CapturePlan& plan,
     if (!found) {
         return fail(std::move(found.error()));
     }
-    MotionClocks clocks{std::move(found->clocks), {}};
+    MotionClocks clocks{std::move(found->clocks), {}, 0.002};
     constexpr double kMostMiss = 4.0;  // pixels that spots are off where all is right
     if (found->distance > kMostMiss) {
         clocks.doubts.push_back(fmt::format(

@@ -18,6 +18,7 @@ namespace raks::apps {
 struct MotionClocks {
     std::vector<capture::Clock> clocks;  ///< of all cameras
     std::vector<std::string> doubts;     ///< one line each
+    double usual_error = 0.01;           ///< seconds
 };
 
 /// The clocks of all cameras by motion, where nothing, or too little, was heard. Of a dancer's

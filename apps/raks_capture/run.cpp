@@ -191,10 +191,13 @@ ExitCode run_capture(const RunArguments& arguments) {
                         step.command,
                         has_flag ? " " + step.arguments.front() : "",
                         words_of(state)));
-        if (state == StepState::up_to_date || state == StepState::given) {
+        const bool is_done = state == StepState::up_to_date || state == StepState::given;
+        if (is_done && step.command != "keypoints") {
             continue;
         }
-        ExitCode ended = run_step(step, plan->folder);
+        // Joints that were found are no dance yet: whether they are is said each time.
+        ExitCode ended =
+            is_done ? judge_kept_keypoints(arguments.folder) : run_step(step, plan->folder);
         if (!ended || stop_signal()) {
             return ended ? ExitCode(exit_code_after_signals(*ended)) : ended;
         }

@@ -1,4 +1,6 @@
 // `raks capture sync`: the clocks of the films from their sound.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -92,15 +94,15 @@ void forget_sound_of(const CameraSync& camera, const SyncPlan& plan, SyncResult&
 
 // Gives cameras without a clock theirs of `clocks`.
 void give_clocks(const std::vector<capture::Clock>& clocks,
-                 const std::string& through,
+                 bool is_by_motion,
                  const SyncPlan& plan,
                  SyncResult& result) {
     for (CameraSync& camera : result.cameras) {
         for (const capture::Clock& clock : clocks) {
             if (!camera.clock && clock.camera == camera.camera) {
                 camera.clock = clock;
-                camera.through = through;
-                camera.is_by_hand = through.empty();
+                camera.is_by_motion = is_by_motion;
+                camera.is_by_hand = !is_by_motion;
                 forget_sound_of(camera, plan, result);
             }
         }
@@ -132,7 +134,7 @@ void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, Sy
     }
     const bool is_heard = !result.clocks().empty();
     if (!is_heard) {
-        give_clocks(known_clocks(*capture), "", plan, result);
+        give_clocks(known_clocks(*capture), false, plan, result);
     }
     const std::vector<capture::Clock> told = result.clocks();
     if (told.size() == result.cameras.size()) {
@@ -149,9 +151,11 @@ void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, Sy
         result.warnings.push_back("by what moves: " + clocks.error().message);
         return;
     }
-    give_clocks(clocks->clocks, "motion", plan, result);
-    say("no sound tells all clocks: what moves in the films told the others, within some "
-        "10 milliseconds");
+    give_clocks(clocks->clocks, true, plan, result);
+    say(
+        fmt::format("no sound tells all clocks: what moves in the films told the others, within "
+                    "some {:.0f} milliseconds",
+                    1e3 * clocks->usual_error));
     result.is_whole = result.is_whole && clocks->doubts.empty();
     result.warnings.insert(result.warnings.end(), clocks->doubts.begin(), clocks->doubts.end());
 }

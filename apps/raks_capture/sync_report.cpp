@@ -20,6 +20,9 @@ std::string origin_of(const CameraSync& camera) {
     if (camera.is_by_hand) {
         return "set by hand";
     }
+    if (camera.is_by_motion) {
+        return "by what moves";
+    }
     if (camera.through.empty()) {
         return "the capture's clock";
     }
@@ -94,6 +97,7 @@ std::string sync_json(const SyncResult& result, const SyncPlan& plan) {
              {"drift_ppm", number_or_null(is_known, clock.drift_ppm)},
              {"confidence", number_or_null(is_known, clock.confidence)},
              {"by_hand", camera.is_by_hand},
+             {"by_motion", camera.is_by_motion},
              {"through",
               camera.through.empty() ? nlohmann::json() : nlohmann::json(camera.through)},
              {"windows_used", camera.used},

@@ -28,7 +28,7 @@ class Synchronisation {
 
     SyncResult run() {
         for (const CameraSound& camera : plan_.cameras) {
-            result_.cameras.push_back({camera.camera, std::nullopt, false, {}, 0, 0, 0.0});
+            result_.cameras.push_back({camera.camera, std::nullopt, false, false, {}, 0, 0, 0.0});
         }
         read_tracks();
         if (!heard_.tracks.empty()) {
@@ -202,7 +202,7 @@ class Synchronisation {
     void set_by_hand() {
         for (CameraSync& camera : result_.cameras) {
             if (const capture::Clock* const set = by_hand(camera.camera)) {
-                camera = {camera.camera, *set, true, {}, 0, 0, 0.0};
+                camera = {camera.camera, *set, true, false, {}, 0, 0, 0.0};
             }
             result_.is_whole = result_.is_whole && camera.clock.has_value();
         }

@@ -45,6 +45,7 @@ struct CameraSync {
     std::string camera;
     std::optional<capture::Clock> clock;  ///< nothing: it cannot be told
     bool is_by_hand = false;
+    bool is_by_motion = false;  ///< of what moves in the films, not of their sound
     std::string through;        ///< camera or song that it was compared with; empty: none
     std::size_t used = 0;       ///< stretches of 5 s that agree
     std::size_t compared = 0;   ///< of so many

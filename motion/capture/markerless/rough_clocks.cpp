@@ -18,6 +18,7 @@ constexpr double kRoughRate = 30.0;        // samples a second
 constexpr double kLeastShared = 4.0;       // seconds that two films must share
 constexpr double kRoughConfidence = 0.05;  // below it, nothing fits
 constexpr double kSlowConfidence = 0.1;    // from which another speed is believed
+constexpr double kSlowLikeness = 0.35;     // likewise, of a dance that repeats itself
 
 /// Upward speeds of the joints of a film at kRoughRate, in usual speeds of each joint; 0: not
 /// known.
@@ -412,7 +413,7 @@ class RoughSearch {
                 const UpwardSpeeds quick = upward_speeds(sped_up(slow, times));
                 const RoughGuess guess = guess_of(
                     Shifts(is_first ? quick : first_, is_first ? speeds : quick, hints_.within));
-                if (guess.confidence > kSlowConfidence) {
+                if (guess.confidence > kSlowConfidence || guess.likeness() > kSlowLikeness) {
                     return fmt::format(
                         ", unless {} is in slow motion, {:.0f} times as slow: film both at the "
                         "usual speed, or give it that back (ffmpeg -itsscale {} -i FILM -c copy "

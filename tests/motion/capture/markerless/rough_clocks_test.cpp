@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/dice.hpp"
 #include "tests/motion/capture/markerless/keypoint_scene.hpp"
 
 namespace raks::capture {
@@ -15,27 +18,62 @@ namespace {
 
 constexpr double kLater = 1.3;  // seconds that the second camera was started later
 
-std::vector<KeypointFilm> two_films(const std::string& dance, double seconds) {
-    const Rig rig = test::ring({0.0, 90.0});
-    auto clocks = test::true_clocks(rig);
-    clocks[1].offset = kLater;
-    return test::filmed(test::written_dance(dance, 0, seconds), rig, clocks, {});
-}
-
-// The first `seconds` of a film so many times.
-KeypointFilm repeated(const KeypointFilm& film, double seconds, int times) {
-    KeypointFilm all = film;
-    all.pictures.clear();
-    for (int i = 0; i < times; ++i) {
-        for (KeypointPicture picture : film.pictures) {
-            if (picture.time - film.pictures.front().time < seconds - 1e-6) {
-                picture.time += i * seconds;
-                picture.number = all.pictures.size();
-                all.pictures.push_back(picture);
+/// A dancer of joints that each swing in a way of their own, and begin anew after a while.
+class SwingingJoints {
+ public:
+    SwingingJoints(double period, std::uint64_t seed) : period_(period) {
+        Dice dice(seed, 0);
+        for (auto& joint : swings_) {
+            for (Swing& swing : joint) {
+                swing = {dice.uniform(0.3, 2.0), dice.uniform(0.0, 6.28), dice.uniform(0.02, 0.08)};
             }
         }
     }
-    return all;
+
+    [[nodiscard]] glm::dvec3 place(std::size_t joint, double time) const {
+        const double since = std::fmod(time + 10.0 * period_, period_);
+        double up = 0.0;
+        for (const Swing& swing : swings_[joint]) {
+            up += swing.reach * std::sin(6.2831853 * swing.rate * since + swing.phase);
+        }
+        return {0.1 * static_cast<double>(joint % 5) - 0.2,
+                0.05 * static_cast<double>(joint) + up,
+                0.1 * static_cast<double>(joint % 3)};
+    }
+
+ private:
+    struct Swing {
+        double rate = 0.0;  // Hz
+        double phase = 0.0;
+        double reach = 0.0;  // metres
+    };
+    std::array<std::array<Swing, 3>, kBodyPoints> swings_{};
+    double period_;
+};
+
+// Two films of so many seconds, by cameras 90 degrees apart.
+std::vector<KeypointFilm> two_films(double seconds,
+                                    double period = 1000.0,
+                                    std::uint64_t seed = 1) {
+    constexpr double kRate = 30.0;
+    const SwingingJoints dancer(period, seed);
+    const Rig rig = test::ring({0.0, 90.0});
+    std::vector<KeypointFilm> films;
+    for (const Camera& camera : rig.cameras) {
+        KeypointFilm& film = films.emplace_back(KeypointFilm{camera.name, 720, 720, "full", {}});
+        const double later = films.size() > 1 ? kLater : 0.0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(seconds * kRate); ++i) {
+            KeypointPicture& picture = film.pictures.emplace_back();
+            picture.number = i;
+            picture.time = static_cast<double>(i) / kRate;
+            picture.score = 1.0;
+            for (std::size_t joint = 0; joint < kBodyPoints; ++joint) {
+                picture.points[joint] = {
+                    *project(camera, dancer.place(joint, picture.time + later)), 1.0};
+            }
+        }
+    }
+    return films;
 }
 
 // What a selfie camera that mirrors makes of a film, and the network of that.
@@ -64,9 +102,7 @@ std::vector<Clock> known_clocks(const std::vector<KeypointFilm>& films) {
 
 TEST(RoughClocks, name_the_offsets_between_which_a_repeating_dance_cannot_tell) {
     constexpr double kPeriod = 6.0;
-    const auto once = two_films("hiphop", 10.0);
-    std::vector<KeypointFilm> films = {repeated(once[0], kPeriod, 3),
-                                       repeated(once[1], kPeriod, 3)};
+    auto films = two_films(18.0, kPeriod);
     const auto alone = rough_clocks(films);
     ASSERT_TRUE(alone) << alone.error().message;
     ASSERT_EQ(alone->doubts.size(), 1U);
@@ -88,7 +124,7 @@ TEST(RoughClocks, name_the_offsets_between_which_a_repeating_dance_cannot_tell) 
 }
 
 TEST(RoughClocks, refuse_a_film_that_mirrors) {
-    auto films = two_films("hiphop", 12.0);
+    auto films = two_films(12.0);
     EXPECT_EQ(why_mirrored(films, known_clocks(films)), "");
     mirror(films[1]);
     const std::string said = "camera1 or camera2 mirrors what the other one shows";
@@ -106,7 +142,7 @@ TEST(RoughClocks, refuse_a_film_that_mirrors) {
 
 TEST(RoughClocks, say_which_film_is_in_slow_motion) {
     for (const std::size_t which : {0U, 1U}) {
-        auto films = two_films("hiphop", 14.0);
+        auto films = two_films(14.0);
         for (KeypointPicture& picture : films[which].pictures) {
             picture.time *= 4.0;
         }
@@ -120,8 +156,8 @@ TEST(RoughClocks, say_which_film_is_in_slow_motion) {
 }
 
 TEST(RoughClocks, refuse_films_of_two_dances) {
-    auto films = two_films("hiphop", 12.0);
-    films[1] = two_films("waltz", 12.0)[1];
+    auto films = two_films(12.0);
+    films[1] = two_films(12.0, 1000.0, 2)[1];
     const auto clocks = rough_clocks(films);
     ASSERT_FALSE(clocks) << clocks->clocks[1].offset << " " << clocks->clocks[1].confidence;
     EXPECT_NE(clocks.error().message.find("nothing in it moves as in camera1: are they films of"),
