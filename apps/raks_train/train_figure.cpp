@@ -220,6 +220,7 @@ DanceInfo info_of(const std::vector<Learnt>& learnt, const TrainFigureArguments&
     // Share of the learnt tempo by which the dance's range reaches to either side.
     constexpr double kReach = 0.2;
     std::vector<double> tempi;
+    tempi.reserve(learnt.size());
     for (const Learnt& one : learnt) {
         // So that the range around it stays within what a dances.toml may say (20 to 400 BPM).
         tempi.push_back(std::clamp(one.report.model.learnt_tempo.bpm(), 25.0, 330.0));

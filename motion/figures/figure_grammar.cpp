@@ -120,7 +120,7 @@ class GrammarReader {
             return fail(name_ + ": needs dance = \"...\" and at least one [[figure]]");
         }
         if (!is_plain_name(grammar.dance)) {
-            return fail(name_ + ": dance: " + why_no_plain_name(grammar.dance));
+            return fail(fmt::format("{}: dance: {}", name_, why_no_plain_name(grammar.dance)));
         }
         // Of a wrong type: 0, which fails the range check below.
         const auto bar = root["beats_per_bar"].value_or<std::int64_t>(
@@ -240,6 +240,27 @@ class GrammarReader {
         return {};
     }
 
+    // How far partners move aside in a figure.
+    Expected<void> read_asides(const toml::table& table, FigureGrammar::Rule& rule) const {
+        for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
+            // "lead_aside" and "follow_aside".
+            const std::string key = fmt::format("{}_aside", kRoleNames[role]);
+            if (!table.contains(key)) {
+                continue;
+            }
+            const auto value = table[key];
+            rule.aside[role] = {number_of(value[0]), number_of(value[1])};
+            if (!(std::abs(rule.aside[role].x) <= kFarthestAside &&
+                  std::abs(rule.aside[role].y) <= kFarthestAside)) {
+                return fail(fmt::format("{}: {} must be [left, forward], each up to {} m",
+                                        where(table),
+                                        key,
+                                        kFarthestAside));
+            }
+        }
+        return {};
+    }
+
     // One [[figure]] but for its `after`.
     Expected<void> read_figure(const toml::node& node, FigureGrammar& grammar) const {
         const toml::table* const table = node.as_table();
@@ -294,21 +315,8 @@ class GrammarReader {
             }
             *value = read.value_or(*value);
         }
-        for (std::size_t role = 0; role < kRoleNames.size(); ++role) {
-            // "lead_aside" and "follow_aside".
-            const std::string key = fmt::format("{}_aside", kRoleNames[role]);
-            if (!table->contains(key)) {
-                continue;
-            }
-            const auto value = (*table)[key];
-            rule.aside[role] = {number_of(value[0]), number_of(value[1])};
-            if (!(std::abs(rule.aside[role].x) <= kFarthestAside &&
-                  std::abs(rule.aside[role].y) <= kFarthestAside)) {
-                return fail(fmt::format("{}: {} must be [left, forward], each up to {} m",
-                                        where(node),
-                                        key,
-                                        kFarthestAside));
-            }
+        if (auto ok = read_asides(*table, rule); !ok) {
+            return ok;
         }
         if (const toml::node* const hands = table->get("hands")) {
             HandShapeWeights shapes{};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "tests/end_to_end/keys_fixture.hpp"
 #include "tests/end_to_end/window.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/jack_midi_peer.hpp"
@@ -22,63 +23,7 @@ std::string codecs_of(const std::string& film) {
         {"ffprobe", "-v", "error", "-show_entries", "stream=codec_name", "-of", "csv=p=0", film});
 }
 
-std::array<int, 3> corner(const std::string& picture) {
-    const auto byte = [&](std::size_t at) { return int{static_cast<unsigned char>(picture[at])}; };
-    return {byte(0), byte(1), byte(2)};
-}
-
-/// Plays in a window, paused: what a key changes is all that changes. (Pictures are compared by
-/// EXPECT_TRUE: nobody wants to read them.)
-class Keys : public WindowTest {
- protected:
-    void start(const std::string& overlay, const std::string& view = "auto") {
-        start({"play", "--no-sound", overlay, "--view", view});
-    }
-    void start(std::vector<std::string> arguments) {
-        arguments.insert(arguments.end(), {path("one.wav"), path("two.wav")});
-        raks_.emplace(in_window(arguments));
-        ASSERT_TRUE(raks_->wait_for_output("one.wav"));
-    }
-    /// Waits for the dance: some looks in a row, each other than the one before.
-    static bool shows_dancing() {
-        std::string before = picture();
-        int moved = 0;
-        return shows([&](const std::string& now) {
-            moved = difference(now, before) > 0.1 ? moved + 1 : 0;
-            before = now;
-            return moved >= 4;
-        });
-    }
-    /// The picture in the pause.
-    std::string start_and_pause(const std::string& overlay) {
-        start({"-v", "play", "--no-sound", overlay});
-        return pause(*raks_);
-    }
-    /// The picture in a pause of the dance. (The first moments of a song have no pose before them.)
-    /// A stick figure: hair that has swung on does not swing back.
-    std::string dance_and_pause() {
-        start({"-v", "play", "--no-sound", "--no-overlay", "--view", "stick"});
-        EXPECT_TRUE(shows_dancing());
-        return pause(*raks_);
-    }
-    static bool shows_again(const std::string& picture) {
-        return shows([&](const std::string& now) { return now == picture; });
-    }
-    static bool shows_other_than(const std::string& picture) {
-        return shows([&](const std::string& now) { return difference(now, picture) > 0.05; });
-    }
-    static bool shows_corner(const std::array<int, 3>& colour) {
-        return shows([&](const std::string& now) { return corner(now) == colour; });
-    }
-    /// Presses, and what the lower part is then; it must have changed.
-    static std::string changed_by(const std::string& key, const std::string& before) {
-        press({key});
-        EXPECT_TRUE(shows([&](const std::string& now) { return lower(now) != before; })) << key;
-        return lower(still_picture());
-    }
-
-    std::optional<CapturedProcess> raks_;
-};
+class Keys : public KeysTest {};
 
 TEST_F(Keys, q_does_not_wait_for_a_decoder_that_hangs) {
     start("--no-overlay");
@@ -324,12 +269,6 @@ TEST_F(Keys, p_saves_a_picture_of_the_window_and_no_other_key_does) {
     EXPECT_EQ(size, "PNG 640x360");
 }
 
-TEST_F(Keys, n_plays_the_next_file) {
-    start("--no-overlay");
-    press({"n"});
-    EXPECT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
-}
-
 TEST_F(Keys, q_and_escape_quit) {
     for (const char* key : {"q", "Escape"}) {
         start_and_pause("--no-overlay");
@@ -339,72 +278,6 @@ TEST_F(Keys, q_and_escape_quit) {
         EXPECT_EQ(result.exit_code, 0) << key << result.err;
         raks_.reset();
     }
-}
-
-TEST_F(Keys, k_keeps_to_the_figure_and_lets_go) {
-    start("--no-overlay");
-    press({"k"});
-    EXPECT_TRUE(raks_->wait_for_output("keeping to this figure"));
-    press({"k"});
-    EXPECT_TRUE(raks_->wait_for_output("figures as they come"));
-}
-
-TEST_F(Keys, a_kept_figure_and_a_chosen_dance_go_on_with_the_next_file) {
-    start("--no-overlay");
-    press({"d"});
-    ASSERT_TRUE(raks_->wait_for_output("dancing salsa"));
-    press({"k", "n"});
-    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
-    press({"d"});
-    EXPECT_TRUE(raks_->wait_for_output("dancing belly")) << "the one after that which was chosen";
-    press({"k"});
-    EXPECT_TRUE(raks_->wait_for_output("figures as they come")) << "it was still kept";
-}
-
-TEST_F(Keys, d_goes_through_the_dances) {
-    start("--no-overlay");
-    press({"d"});
-    EXPECT_TRUE(raks_->wait_for_output("dancing salsa"));
-}
-
-TEST_F(Keys, u_keeps_the_dance_that_was_chosen_for_this_song) {
-    start("--no-overlay");
-    press({"u"});
-    ASSERT_TRUE(raks_->wait_for_output("no dance is kept: choose one first (D)"));
-    press({"d"});
-    ASSERT_TRUE(raks_->wait_for_output("dancing salsa"));
-    press({"u"});
-    ASSERT_TRUE(raks_->wait_for_output("salsa is kept for this song\n"));
-    press({"n"});
-    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
-    press({"d", "u"});
-    ASSERT_TRUE(raks_->wait_for_output("belly is kept for this song\n"));
-    const std::string folder = std::filesystem::canonical(folder_.path()).string();
-    EXPECT_EQ(read_file(folder_ / "state" / "raks" / "dances.tsv").value_or("none"),
-              "dance\tartist\tfolder\tsong\nsalsa\t\t" + folder + "\t" + folder +
-                  "/one.wav\nbelly\t\t" + folder + "\t" + folder + "/two.wav\n");
-    raks_.reset();
-    start({"play", "--no-sound", "--no-overlay", "--as-live"});
-    EXPECT_TRUE(raks_->wait_for_output("salsa, as you said"));
-}
-
-TEST_F(Keys, b_goes_back_to_the_file_before) {
-    start("--no-overlay");
-    press({"n"});
-    ASSERT_TRUE(raks_->wait_for_output("playing " + path("two.wav")));
-    press({"b"});
-    EXPECT_TRUE(raks_->wait_until([&](const ProcessResult& result) {
-        return count_of("playing " + path("one.wav"), result.err) == 2;
-    }));
-}
-
-TEST_F(Keys, b_goes_to_the_start_of_a_file_that_has_played_for_a_while) {
-    start_and_pause("--overlay");
-    press({"Left", "Left", "Left", "Left", "Left", "Left", "Left", "Left"});
-    const std::string beginning = lower(still_picture());
-    const std::string on = changed_by("shift+Right", beginning);
-    EXPECT_TRUE(changed_by("b", on) == beginning);
-    EXPECT_EQ(count_of("playing ", raks_->output().err), 1);
 }
 
 /// The half above the line that tells what was done.

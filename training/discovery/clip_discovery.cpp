@@ -27,7 +27,7 @@ void agree(DiscoveredClips& discovered) {
     for (DiscoveredClip& clip : discovered.clips) {
         phrases.push_back(&clip.found);
     }
-    agree_on_octaves(std::move(phrases));
+    agree_on_octaves(phrases);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ std::vector<FoundRepeats> phrase_parts(const FoundRepeats& phrase, int beats_per
     return parts;
 }
 
-void agree_on_octaves(std::vector<FoundRepeats*> phrases) {
+void agree_on_octaves(const std::vector<FoundRepeats*>& phrases) {
     std::vector<double> tempi;
     for (const FoundRepeats* phrase : phrases) {
         if (!phrase->repeats.empty()) {

@@ -26,6 +26,6 @@ namespace raks::motion {
 
 /// Counts phrases that are danced in one dance at tempi of one octave: where a phrase may as well
 /// have twice or half as many beats, it gets those with which it goes with the others.
-void agree_on_octaves(std::vector<FoundRepeats*> phrases);
+void agree_on_octaves(const std::vector<FoundRepeats*>& phrases);
 
 }  // namespace raks::motion
