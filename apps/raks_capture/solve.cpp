@@ -31,7 +31,7 @@ constexpr std::size_t kMostDoubtsSaid = 10;
 constexpr double kKeypointDeviation = 0.03;
 // Measured on rendered dancers: ankles that stand seem to move at up to 0.3 m/s, while heels that
 // are lifted by a centimetre or three are common.
-constexpr capture::StandingSole kKeypointStanding = {0.3, 0.7, 0.01, 0.025};
+constexpr capture::StandingSole kKeypointStanding = {0.3, 0.7, 0.01, 0.025, false};
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
     capture::SolveOptions options;

@@ -77,6 +77,9 @@ void find_planted(const BodyModel& model,
     }
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t i = 0; i < kSolePoints; ++i) {
+            if (!standing.are_heels_held && static_cast<SolePoint>(i) == SolePoint::heel) {
+                continue;
+            }
             const std::vector<double> planted =
                 planted_of(places[side][i], frames_per_second, standing);
             for (std::size_t frame = 0; frame < sights.size(); ++frame) {

@@ -10,6 +10,9 @@ struct StandingSole {
     double moving = 0.35;  ///< m/s
     double low = 0.025;    ///< metres over the floor
     double lifted = 0.06;  ///< metres
+    /// Heels are held, too. Where heights are not sure, a heel that is a little lifted would be set
+    /// down, and the knee stretched.
+    bool are_heels_held = true;
 };
 
 }  // namespace raks::capture
