@@ -55,10 +55,15 @@ kind=$(cut -d ' ' -f 3 <<< "$line")
 labels=()
 if [ "$kind" = figure ]; then
     eval "\"$raks\"${line#raks}" --propose "$folder/repeats.tsv" > /dev/null
-    awk -F'\t' -v OFS='\t' -v shift="$offset" '
+    # Both may have rates of their own. Beats are not heard to the very end of the song.
+    frame_time() { sed -n 's/^Frame Time: *//p' "$1"; }
+    awk -F'\t' -v OFS='\t' -v shift="$offset" -v all="$seconds" \
+        -v from="$(frame_time "$phones/dance.bvh")" -v to="$(frame_time "$truth")" '
+        function moved(frame) { return int((frame * from + shift) / to + .5) }
         /^#/ { next }
         !names { names = 1; for (i = 1; i <= NF; ++i) at[$i] = i; print; next }
-        { $at["start"] = int($at["start"] + 60 * shift + .5); $at["end"] = int($at["end"] + 60 * shift + .5); print }
+        { $at["start"] = moved($at["start"]); $at["end"] = moved($at["end"]) }
+        $at["end"] * to < all - 3 { print }
     ' "$folder/repeats.tsv" > "$folder/true_repeats.tsv"
     labels=(--labels "$folder/true_repeats.tsv")
 fi

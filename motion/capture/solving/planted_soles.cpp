@@ -10,12 +10,8 @@ namespace {
 
 using motion::Side;
 
-constexpr double kStillSpeed = 0.15;       // m/s: a sole slower than this stands
-constexpr double kMovingSpeed = 0.35;      // m/s: a faster one does not
-constexpr double kStandingHeight = 0.025;  // metres: a sole lower than this stands
-constexpr double kLiftedHeight = 0.06;     // metres: a higher one does not
-constexpr double kLeastTime = 0.08;        // seconds: what stands for less, does not
-constexpr double kSpeedReach = 0.03;       // seconds on both sides over which speed is taken
+constexpr double kLeastTime = 0.08;   // seconds: what stands for less, does not
+constexpr double kSpeedReach = 0.03;  // seconds on both sides over which speed is taken
 
 /// 1 up to `whole`, 0 from `none` on, a line between.
 double eased(double value, double whole, double none) {
@@ -39,7 +35,9 @@ void drop_short(std::size_t least, std::vector<double>& planted) {
     }
 }
 
-std::vector<double> planted_of(const std::vector<glm::dvec3>& places, double rate) {
+std::vector<double> planted_of(const std::vector<glm::dvec3>& places,
+                               double rate,
+                               const StandingSole& standing) {
     const auto reach = static_cast<std::ptrdiff_t>(std::max(1.0, std::round(kSpeedReach * rate)));
     const auto last = static_cast<std::ptrdiff_t>(places.size()) - 1;
     std::vector<double> planted(places.size());
@@ -51,8 +49,8 @@ std::vector<double> planted_of(const std::vector<glm::dvec3>& places, double rat
                                            places[static_cast<std::size_t>(to)]) /
                              seconds;
         planted[static_cast<std::size_t>(i)] =
-            eased(speed, kStillSpeed, kMovingSpeed) *
-            eased(places[static_cast<std::size_t>(i)].y, kStandingHeight, kLiftedHeight);
+            eased(speed, standing.still, standing.moving) *
+            eased(places[static_cast<std::size_t>(i)].y, standing.low, standing.lifted);
     }
     drop_short(static_cast<std::size_t>(std::ceil(kLeastTime * rate)), planted);
     return planted;
@@ -64,6 +62,7 @@ void find_planted(const BodyModel& model,
                   const BodyShape& shape,
                   const std::vector<BodyState>& states,
                   double frames_per_second,
+                  const StandingSole& standing,
                   std::vector<FrameSight>& sights) {
     std::array<std::array<std::vector<glm::dvec3>, kSolePoints>, 2> places;
     for (const BodyState& state : states) {
@@ -78,7 +77,11 @@ void find_planted(const BodyModel& model,
     }
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t i = 0; i < kSolePoints; ++i) {
-            const std::vector<double> planted = planted_of(places[side][i], frames_per_second);
+            if (!standing.are_heels_held && static_cast<SolePoint>(i) == SolePoint::heel) {
+                continue;
+            }
+            const std::vector<double> planted =
+                planted_of(places[side][i], frames_per_second, standing);
             for (std::size_t frame = 0; frame < sights.size(); ++frame) {
                 sights[frame].planted[side][i] = planted[frame];
             }

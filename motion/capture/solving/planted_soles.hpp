@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/capture/solving/frame_system.hpp"
+#include "motion/capture/solving/standing_sole.hpp"
 
 namespace raks::capture {
 
@@ -14,6 +15,7 @@ void find_planted(const BodyModel& model,
                   const BodyShape& shape,
                   const std::vector<BodyState>& states,
                   double frames_per_second,
+                  const StandingSole& standing,
                   std::vector<FrameSight>& sights);
 
 }  // namespace raks::capture

@@ -270,7 +270,7 @@ Expected<SolvedDance> DanceSolver::solve() {
         if (options_.progress && !options_.progress(done)) {
             return fail("stopped");
         }
-        find_planted(model_, shape_, states_, rate_, sights_);
+        find_planted(model_, shape_, states_, rate_, options_.standing, sights_);
         if (done < 0.5) {
             fit_size_to(kSizeFrames);
         }

@@ -13,6 +13,7 @@
 #include "motion/capture/markers/tracks.hpp"
 #include "motion/capture/solving/body_model.hpp"
 #include "motion/capture/solving/body_size.hpp"
+#include "motion/capture/solving/standing_sole.hpp"
 #include "motion/skeleton/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -26,6 +27,7 @@ struct SolveOptions {
     /// How far markers sit from where the set has them: standard deviation along each axis, metres.
     double marker_deviation = 0.015;
     double smoothness = 1.0;  ///< > 1: the dancer is expected to move more softly
+    StandingSole standing{};  ///< which soles are held to the floor
     /// By frame of the tracks: postures of the model from which the body and its motion are fitted.
     /// None: they are found in the tracks, each frame by itself.
     std::vector<BodyState> start{};
