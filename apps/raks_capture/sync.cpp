@@ -110,6 +110,9 @@ void tell_by_motion(const SyncArguments& arguments, bool has_song, SyncResult& r
         fmt::format("no sound tells all clocks: what moves in the films told the others, within "
                     "some {:.0f} milliseconds",
                     1e3 * clocks->usual_error));
+    for (const std::string& note : clocks->notes) {
+        say(note);
+    }
     const bool is_song_known = !has_song || result.song.has_value();
     result.is_whole =
         is_song_known && clocks->doubts.empty() && result.clocks().size() == result.cameras.size();

@@ -151,6 +151,31 @@ TEST(MotionSync, of_markers_is_within_2_ms) {
     }
 }
 
+TEST(MotionSync, finds_clocks_of_markers_that_are_seconds_off_and_names_a_repeat) {
+    // A figure that is danced again and again.
+    const auto dance = test::written_dance("waltz", 0, 15.0);
+    const Rig rig = studio_rig(2);
+    StudioOptions options;
+    options.first_clock_is_true = true;
+    const StudioTake take =
+        film_points({dance.skeleton, dance.poses, 60.0}, rig, default_markers(), options);
+    std::vector<MovingSights> sights;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        sights.emplace_back(take.seen.films[i], rig.cameras[i].lens);
+    }
+    const std::vector<Clock> start = {{"camera1", 0.0}, {"camera2", 0.77}};
+    MotionSyncOptions how;
+    how.reach = 1.0;
+    const auto near = sync_by_motion(rig, sights, start, how);
+    ASSERT_TRUE(near) << near.error().message;
+    EXPECT_NEAR(near->clocks[1].capture_time(7.5), 7.5, 0.003);
+    EXPECT_TRUE(near->rivals.empty());
+    how.reach = 6.0;
+    const auto far = sync_by_motion(rig, sights, start, how);
+    ASSERT_TRUE(far) << far.error().message;
+    EXPECT_EQ(far->rivals.size(), 1U);
+}
+
 TEST(MotionSync, says_where_nothing_moves) {
     const Rig rig = studio_rig(2);
     const SeenFilm empty{"a", {{0.0, {}}, {1.0, {}}, {2.0, {}}}};
