@@ -167,7 +167,7 @@ Expected<MotionClocks> clocks_by_joints(const CapturePlan& plan,
             clocks[i].confidence = confidence;
         }
     }
-    return MotionClocks{std::move(clocks), std::move(rough->doubts), 0.01};
+    return MotionClocks{std::move(clocks), std::move(rough->doubts), std::move(rough->notes), 0.01};
 }
 
 Expected<MotionClocks> clocks_by_spots(const CapturePlan& plan,
@@ -188,7 +188,16 @@ Expected<MotionClocks> clocks_by_spots(const CapturePlan& plan,
     if (!found) {
         return fail(std::move(found.error()));
     }
-    MotionClocks clocks{std::move(found->clocks), {}, 0.002};
+    MotionClocks clocks{std::move(found->clocks), {}, {}, 0.002};
+    for (const capture::ClockRival& rival : found->rivals) {
+        clocks.doubts.push_back(fmt::format(
+            "{}: the dance repeats itself, and its clock fits at {:.2f} s and {:.2f} s nearly "
+            "alike; the first is taken. Compare the films, and set it by hand where it is the "
+            "other (raks capture sync --offsets), or say --within",
+            start[rival.camera].camera,
+            rival.taken,
+            rival.other));
+    }
     constexpr double kMostMiss = 4.0;  // pixels that spots are off where all is right
     if (found->distance > kMostMiss) {
         clocks.doubts.push_back(fmt::format(

@@ -18,6 +18,7 @@ namespace raks::apps {
 struct MotionClocks {
     std::vector<capture::Clock> clocks;  ///< of all cameras
     std::vector<std::string> doubts;     ///< one line each
+    std::vector<std::string> notes;      ///< what else is worth a line
     double usual_error = 0.01;           ///< seconds
 };
 

@@ -156,6 +156,9 @@ void tell_without_sound(const SyncArguments& arguments, const SyncPlan& plan, Sy
         fmt::format("no sound tells all clocks: what moves in the films told the others, within "
                     "some {:.0f} milliseconds",
                     1e3 * clocks->usual_error));
+    for (const std::string& note : clocks->notes) {
+        say(note);
+    }
     result.is_whole = result.is_whole && clocks->doubts.empty();
     result.warnings.insert(result.warnings.end(), clocks->doubts.begin(), clocks->doubts.end());
 }

@@ -38,7 +38,7 @@ struct FilmInfo {
     int turned = 0;                         ///< degrees clockwise that its metadata asks for
     /// When it was recorded, by its metadata: begin or end, as phones have it; seconds since 1970.
     std::optional<double> recorded{};
-    std::string format;                     ///< "h264 in mov,mp4,...", or "pictures"
+    std::string format;  ///< "h264 in mov,mp4,...", or "pictures"
 };
 
 /// How a film is read.

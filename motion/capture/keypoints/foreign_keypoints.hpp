@@ -47,7 +47,8 @@ class OpenPoseReader {
 /// `picture` or `image` and `time`, `timestamp` or `seconds`; DeepLabCut (rows scorer, bodyparts,
 /// coords). Places all within [0, 1] are shares of width and height. Blank or NaN: not found.
 /// Errors, one line: another layout (the known ones are named), no joint of ours (with the map that
-/// would help), a map that names a column which is not there, likelihoods outside [0, 1], pictures or times that do not go on.
+/// would help), a map that names a column which is not there, likelihoods outside [0, 1], pictures
+/// or times that do not go on.
 [[nodiscard]] Expected<KeypointFilm> read_foreign_table(std::string_view text,
                                                         const std::string& file,
                                                         const ForeignFilm& film);

@@ -16,10 +16,11 @@ namespace raks::capture {
 namespace {
 
 constexpr double kLongestPictureStep =
-    0.12;                           // seconds between pictures that say what lies between them
-constexpr double kSureJoint = 0.5;  // visibility
-constexpr int kClockRounds = 12;    // of Gauss and Newton
-constexpr double kMostStep = 0.1;   // seconds of one of them
+    0.12;                            // seconds between pictures that say what lies between them
+constexpr double kSureJoint = 0.5;   // visibility
+constexpr int kClockRounds = 12;     // of Gauss and Newton
+constexpr double kMostStep = 0.1;    // seconds of one of them
+constexpr double kShiftStep = 0.01;  // seconds between shifts that are tried
 
 double mean_focal(const Lens& lens) { return 0.5 * (lens.fx + lens.fy); }
 
@@ -140,6 +141,8 @@ class ClockSearch {
         double shift = 0.0;
         double cost = 1.0;
         double count = 0.0;
+
+        bool operator<(const ShiftCost& other) const { return cost < other.cost; }
     };
 
     // Mean of d^2 / (d^2 + error^2) of one camera against the first `others`, shifted by so much.
@@ -170,32 +173,61 @@ class ClockSearch {
     // At first against those before it, which have their clocks by then. Films that hardly meet
     // agree by chance: a shift counts where half as much is seen as at the others.
     void try_shifts() {
-        constexpr double kShiftStep = 0.01;  // seconds
         constexpr int kNearSteps = 10;
+        const int steps = static_cast<int>(std::lround(options_.reach / kShiftStep));
+        for (std::size_t camera = 1; camera < sights_.size(); ++camera) {
+            const auto costs = costs_of(camera, steps, camera);
+            const ShiftCost& best = *std::min_element(costs.begin(), costs.end());
+            note_rival(camera, costs, best);
+            found_.clocks[camera].offset += best.shift;
+        }
+        // They are nearly right by now: once more against all.
+        for (std::size_t camera = 1; sights_.size() > 2 && camera < sights_.size(); ++camera) {
+            const auto costs = costs_of(camera, std::min(steps, kNearSteps), sights_.size());
+            found_.clocks[camera].offset += std::min_element(costs.begin(), costs.end())->shift;
+        }
+    }
+
+    // Of all shifts at which half as much is seen as at most of them; at least one.
+    [[nodiscard]] std::vector<ShiftCost> costs_of(std::size_t camera,
+                                                  int reach,
+                                                  std::size_t others) const {
         constexpr std::size_t kTriedMoments = 200;
         const std::size_t every = std::max<std::size_t>(1, moments_.size() / kTriedMoments);
-        const int steps = static_cast<int>(std::lround(options_.reach / kShiftStep));
-        for (int round = 0; round < (sights_.size() > 2 ? 2 : 1); ++round) {
-            for (std::size_t camera = 1; camera < sights_.size(); ++camera) {
-                std::vector<ShiftCost> costs;
-                double most = 0.0;
-                const std::size_t others = round == 0 ? camera : sights_.size();
-                // The first round has put it nearly right.
-                const int reach = round == 0 ? steps : std::min(steps, kNearSteps);
-                for (int step = -reach; step <= reach; ++step) {
-                    costs.push_back(cost_of(camera, kShiftStep * step, every, others));
-                    most = std::max(most, costs.back().count);
-                }
-                double least = std::numeric_limits<double>::max();
-                double best = 0.0;
-                for (const ShiftCost& cost : costs) {
-                    if (cost.count >= 0.5 * most && cost.cost < least) {
-                        least = cost.cost;
-                        best = cost.shift;
-                    }
-                }
-                found_.clocks[camera].offset += best;
-            }
+        std::vector<ShiftCost> costs;
+        double most = 0.0;
+        for (int step = -reach; step <= reach; ++step) {
+            costs.push_back(cost_of(camera, kShiftStep * step, every, others));
+            most = std::max(most, costs.back().count);
+        }
+        costs.erase(
+            std::remove_if(costs.begin(),
+                           costs.end(),
+                           [most](const ShiftCost& cost) { return cost.count < 0.5 * most; }),
+            costs.end());
+        return costs;
+    }
+
+    // A shift that stands out nearly as much: a dance that repeats itself is there again.
+    void note_rival(std::size_t camera,
+                    const std::vector<ShiftCost>& costs,
+                    const ShiftCost& best) {
+        constexpr double kApart = 0.3;         // seconds
+        constexpr double kNearlyAsMuch = 0.3;  // of how much the best stands out
+        std::vector<double> usual;
+        const ShiftCost* rival = nullptr;
+        for (const ShiftCost& cost : costs) {
+            usual.push_back(cost.cost);
+            const bool is_apart = std::abs(cost.shift - best.shift) > kApart;
+            rival = is_apart && (rival == nullptr || cost < *rival) ? &cost : rival;
+        }
+        std::nth_element(usual.begin(),
+                         usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2),
+                         usual.end());
+        const double outstanding = usual[usual.size() / 2] - best.cost;
+        if (rival != nullptr && rival->cost - best.cost < kNearlyAsMuch * outstanding) {
+            const double offset = found_.clocks[camera].offset;
+            found_.rivals.push_back({camera, offset + best.shift, offset + rival->shift});
         }
     }
 

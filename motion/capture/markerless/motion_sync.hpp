@@ -53,12 +53,20 @@ struct MotionSyncOptions {
     std::size_t moments = 900;  ///< that are looked at, evenly over the take
 };
 
+/// Two offsets of a clock, at least 0.3 s apart, that fit nearly alike.
+struct ClockRival {
+    std::size_t camera = 0;
+    double taken = 0.0;  ///< seconds; before it was refined
+    double other = 0.0;  ///< likewise
+};
+
 /// What was found.
 struct MotionSync {
-    std::vector<Clock> clocks;      ///< by camera; that of the first stays as it was
-    std::vector<double> deviation;  ///< by camera: standard deviation of its offset; seconds
-    double distance = 0.0;          ///< median distance from epipolar lines; pixels
-    std::size_t points = 0;         ///< pairs of sights that were used
+    std::vector<Clock> clocks;       ///< by camera; that of the first stays as it was
+    std::vector<double> deviation;   ///< by camera: standard deviation of its offset; seconds
+    double distance = 0.0;           ///< median distance from epipolar lines; pixels
+    std::size_t points = 0;          ///< pairs of sights that were used
+    std::vector<ClockRival> rivals;  ///< of a dance that repeats itself within the reach
 };
 
 /// Moves clocks until what all cameras see lies on one another's epipolar lines, over all pairs of

@@ -262,11 +262,15 @@ bool is_believed(const RoughGuess& guess) {
            (guess.candidates.size() > 1 && guess.likeness() >= kTrulyAlike);
 }
 
+// Without the minus sign of what rounds to 0.
+double hundredths(double seconds) { return std::round(100.0 * seconds) / 100.0 + 0.0; }
+
 std::string words_of(const std::vector<Candidate>& candidates) {
     std::vector<std::string> words;
     words.reserve(candidates.size());
     for (const Candidate& candidate : candidates) {
-        words.push_back(fmt::format("{:+.2f} s ({:.2f})", candidate.offset, candidate.likeness));
+        words.push_back(
+            fmt::format("{:+.2f} s ({:.2f})", hundredths(candidate.offset), candidate.likeness));
     }
     return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -308,6 +312,12 @@ double choose(const std::vector<Candidate>& candidates,
         return candidates.front().offset;
     }
     if (const auto meant = dates.meant(candidates)) {
+        found.notes.push_back(fmt::format(
+            "{}: the dance repeats itself, and its clock fits at several offsets nearly "
+            "alike: {}; by the films' dates it is {:+.2f} s",
+            camera,
+            words_of(candidates),
+            hundredths(candidates[*meant].offset)));
         return candidates[*meant].offset;
     }
     found.doubts.push_back(fmt::format(

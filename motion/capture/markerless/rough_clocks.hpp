@@ -23,6 +23,7 @@ struct RoughClockHints {
 struct RoughClocks {
     std::vector<Clock> clocks;        ///< by film; the first is the capture's
     std::vector<std::string> doubts;  ///< one line each
+    std::vector<std::string> notes;   ///< what the films' dates told; likewise
 };
 
 /// Clocks of a dancer's films without knowing anything of the cameras: what goes up in one upright

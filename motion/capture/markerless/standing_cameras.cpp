@@ -257,6 +257,7 @@ std::vector<std::string> standing_doubts(const Rig& rig, const KeypointTake& tak
         return {words_of_fault(faults.front(), rig.cameras[*culprit].name)};
     }
     std::vector<std::string> lines;
+    lines.reserve(faults.size());
     for (const PairFault& fault : faults) {
         lines.push_back(words_of_fault(
             fault,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -150,6 +151,37 @@ TEST(MotionSync, of_markers_is_within_2_ms) {
             EXPECT_NEAR(told, at, 0.002) << i << " at " << at << " s";
         }
     }
+}
+
+TEST(MotionSync, finds_clocks_of_markers_that_are_seconds_off_and_names_a_repeat) {
+    // The same four seconds again and again.
+    constexpr std::size_t kPeriod = 240;  // frames
+    auto dance = test::written_dance("waltz", 0, 15.0);
+    for (std::size_t i = kPeriod; i < dance.poses.size(); ++i) {
+        dance.poses[i] = dance.poses[i - kPeriod];
+    }
+    const Rig rig = studio_rig(2);
+    StudioOptions options;
+    options.first_clock_is_true = true;
+    const StudioTake take =
+        film_points({dance.skeleton, dance.poses, 60.0}, rig, default_markers(), options);
+    std::vector<MovingSights> sights;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        sights.emplace_back(take.seen.films[i], rig.cameras[i].lens);
+    }
+    const std::vector<Clock> start = {{"camera1", 0.0}, {"camera2", 0.77}};
+    MotionSyncOptions how;
+    how.reach = 1.0;
+    const auto near = sync_by_motion(rig, sights, start, how);
+    ASSERT_TRUE(near) << near.error().message;
+    EXPECT_NEAR(near->clocks[1].capture_time(7.5), 7.5, 0.003);
+    EXPECT_TRUE(near->rivals.empty());
+    how.reach = 6.0;
+    const auto far = sync_by_motion(rig, sights, start, how);
+    ASSERT_TRUE(far) << far.error().message;
+    ASSERT_EQ(far->rivals.size(), 1U);
+    // Whole repeats apart.
+    EXPECT_NEAR(std::remainder(far->rivals[0].other - far->rivals[0].taken, 4.0), 0.0, 0.02);
 }
 
 TEST(MotionSync, says_where_nothing_moves) {

@@ -114,6 +114,8 @@ TEST(RoughClocks, name_the_offsets_between_which_a_repeating_dance_cannot_tell) 
         const auto dated = rough_clocks(films, {100.0, {1000.0, 1000.0 + std::floor(truth)}});
         ASSERT_TRUE(dated) << dated.error().message;
         EXPECT_TRUE(dated->doubts.empty());
+        ASSERT_EQ(dated->notes.size(), 1U);
+        EXPECT_NE(dated->notes[0].find("by the films' dates it is "), std::string::npos);
         EXPECT_NEAR(dated->clocks[1].offset, truth, 0.06);
     }
     // A film that is longer at its end: is the date that of the begin, or of the end?
