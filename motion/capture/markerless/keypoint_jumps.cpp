@@ -67,7 +67,9 @@ class JumpSearch {
           errors_(errors),
           take_(take),
           marks_(take.cameras * take.frame_count * followed_points().size()),
-          people_(take.cameras * take.frame_count) {}
+          people_(take.cameras * take.frame_count),
+          shared_(take.frame_count),
+          contradicting_(take.frame_count) {}
 
     std::vector<KeypointJump> search() {
         for (std::size_t point = 0; point < followed_points().size(); ++point) {
@@ -160,6 +162,9 @@ class JumpSearch {
             placed.push_back(place_keypoint(rig_, take_, frame, followed_points()[point], errors_));
         }
         for (std::size_t frame = 0; frame < take_.frame_count; ++frame) {
+            const KeypointOutcome outcome = placed[frame].outcome;
+            shared_[frame] += outcome != KeypointOutcome::unseen ? 1.0 : 0.0;
+            contradicting_[frame] += outcome == KeypointOutcome::contradicts ? 1.0 : 0.0;
             for (const std::size_t camera : placed[frame].odd) {
                 note(camera, frame, point);
             }
@@ -244,10 +249,38 @@ class JumpSearch {
         }
     }
 
+    // Stretches in which the cameras do not see the same person.
+    [[nodiscard]] std::vector<KeypointJump> disagreements() const {
+        constexpr double kShare = 1.0 / 3.0;  // of the joints that two cameras see
+        constexpr double kAround = 0.25;      // seconds, each side, that are counted together
+        constexpr double kShortest = 0.3;     // seconds
+        std::vector<KeypointJump> all;
+        const std::size_t around = frames_of(kAround);
+        const auto is_so = [&](std::size_t frame) {
+            double shared = 0.0;
+            double contradicting = 0.0;
+            const std::size_t end = std::min(frame + around + 1, take_.frame_count);
+            for (std::size_t at = frame - std::min(frame, around); at < end; ++at) {
+                shared += shared_[at];
+                contradicting += contradicting_[at];
+            }
+            return shared > 0.0 && contradicting >= kShare * shared;
+        };
+        for_stretches(take_.frame_count,
+                      frames_of(kShortest),
+                      is_so,
+                      [&](std::size_t first, std::size_t last) {
+                          if (last - first >= frames_of(kShortest)) {
+                              all.push_back({std::nullopt, std::nullopt, first, last});
+                          }
+                      });
+        return all;
+    }
+
     std::vector<KeypointJump> stretches() {
         constexpr double kShortest = 0.1;  // seconds of what views alone tell
         constexpr double kGap = 0.1;       // seconds between stretches that are one
-        std::vector<KeypointJump> all;
+        std::vector<KeypointJump> all = disagreements();
         const auto is_long = [&](std::size_t first, std::size_t last) {
             return static_cast<double>(last - first + 1) >= kShortest * take_.frames_per_second;
         };
@@ -266,8 +299,8 @@ class JumpSearch {
                 const auto is_marked = [&](std::size_t frame) {
                     return mark(camera, frame, point) != Mark::none &&
                            std::none_of(people.begin(), people.end(), [&](const auto& person) {
-                               return person.camera == camera && person.first <= frame &&
-                                      frame <= person.last;
+                               return person.camera.value_or(camera) == camera &&
+                                      person.first <= frame && frame <= person.last;
                            });
                 };
                 const auto add = [&](std::size_t first, std::size_t last) {
@@ -290,6 +323,9 @@ class JumpSearch {
     const KeypointTake& take_;
     std::vector<Mark> marks_;   // cameras x frames x points
     std::vector<bool> people_;  // cameras x frames
+    // By frame: joints that two cameras see, and those of them whose views contradict one another.
+    std::vector<double> shared_;
+    std::vector<double> contradicting_;
 };
 
 }  // namespace
@@ -341,8 +377,12 @@ std::vector<KeypointJump> find_jumps(const Rig& rig,
 
 void hide_jumps(const std::vector<KeypointJump>& jumps, KeypointTake& take) {
     for (const KeypointJump& jump : jumps) {
-        for (std::size_t frame = jump.first; frame <= jump.last; ++frame) {
-            auto& points = take.at(frame, jump.camera);
+        for (std::size_t i = 0; i < take.cameras * (jump.last - jump.first + 1); ++i) {
+            const std::size_t camera = i % take.cameras;
+            auto& points = take.at(jump.first + i / take.cameras, camera);
+            if (jump.camera.value_or(camera) != camera) {
+                continue;
+            }
             if (jump.point) {
                 points[static_cast<std::size_t>(*jump.point)] = {};
             } else {
@@ -363,7 +403,7 @@ void add_flags(const std::vector<KeypointJump>& jumps,
                                     static_cast<std::size_t>(marker - tracks.markers.begin()),
                                     jump.first,
                                     jump.last,
-                                    names[jump.camera]});
+                                    jump.camera ? names[*jump.camera] : std::string()});
         }
     }
     sort_flags(tracks);
@@ -394,6 +434,18 @@ std::vector<std::string> words_of(const std::vector<KeypointJump>& jumps,
             lines.push_back(fmt::format(
                 "{}: joints jumped in {} stretches, which do not count", names[camera], stretches));
         }
+    }
+    double apart = 0.0;
+    for (const KeypointJump& jump : jumps) {
+        apart += jump.camera
+                     ? 0.0
+                     : static_cast<double>(jump.last - jump.first + 1) / tracks.frames_per_second;
+    }
+    if (apart > 0.0) {
+        lines.push_back(fmt::format(
+            "the cameras do not follow the same person for {:.1f} s, which do not count; tell "
+            "which one is wrong in raks capture correct",
+            apart));
     }
     return lines;
 }

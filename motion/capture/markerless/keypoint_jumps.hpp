@@ -15,10 +15,10 @@ namespace raks::capture {
 
 /// A stretch in which a camera's network was elsewhere.
 struct KeypointJump {
-    std::size_t camera = 0;
-    std::optional<BodyPoint> point{};  ///< none: the whole body, which is another person
-    std::size_t first = 0;             ///< frame of the take
-    std::size_t last = 0;              ///< likewise, included
+    std::optional<std::size_t> camera{};  ///< none: one of them, nobody knows which
+    std::optional<BodyPoint> point{};     ///< none: the whole body, which is another person
+    std::size_t first = 0;                ///< frame of the take
+    std::size_t last = 0;                 ///< likewise, included
 
     friend bool operator==(const KeypointJump&, const KeypointJump&) = default;
 };
