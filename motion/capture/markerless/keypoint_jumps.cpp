@@ -8,6 +8,7 @@
 #include <functional>
 #include <tuple>
 
+#include "motion/capture/markerless/away_frames.hpp"
 #include "motion/capture/markerless/keypoint_markers.hpp"
 #include "motion/capture/markerless/keypoint_tracks.hpp"
 
@@ -47,7 +48,7 @@ void for_stretches(std::size_t frames,
         if (!is_so(frame)) {
             continue;
         }
-        if (first && frame - last > gap) {
+        if (first && frame - last > gap + 1) {
             add(*first, last);
             first.reset();
         }
@@ -333,38 +334,25 @@ class JumpSearch {
 std::vector<KeypointJump> find_other_people(const std::vector<double>& errors,
                                             const KeypointTake& take) {
     // Of the body's height in the picture.
-    constexpr double kTrembling = 0.2;    // that a trunk may be off
-    constexpr double kFastest = 1.5;      // a second, of a dancer's trunk
-    constexpr double kFarthest = 0.45;    // that is allowed for at most
-    constexpr double kLongestAway = 3.0;  // seconds until the other one is believed
+    constexpr double kTrembling = 0.2;
+    constexpr double kFastest = 1.5;
+    constexpr double kFarthest = 0.45;
     std::vector<KeypointJump> people;
     for (std::size_t camera = 0; camera < take.cameras; ++camera) {
-        const double size = body_size(errors[camera]);
-        std::optional<glm::dvec2> last;
-        std::size_t when = 0;
-        std::optional<std::size_t> away;  // since when
-        const auto end = [&](std::size_t frame) {
-            if (away) {
-                people.push_back({camera, std::nullopt, *away, frame});
-                away.reset();
-            }
-        };
+        std::vector<std::optional<glm::dvec2>> trunks;
         for (std::size_t frame = 0; frame < take.frame_count; ++frame) {
-            const auto trunk = seen_trunk(take, frame, camera);
-            if (!trunk) {
-                continue;
-            }
-            const double seconds = static_cast<double>(frame - when) / take.frames_per_second;
-            const double allowed = size * std::min(kFarthest, kTrembling + kFastest * seconds);
-            if (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway) {
-                end(frame - 1);
-                last = trunk;
-                when = frame;
-            } else {
-                away = away.value_or(frame);
-            }
+            trunks.push_back(seen_trunk(take, frame, camera));
         }
-        end(take.frame_count - 1);
+        const double size = body_size(errors[camera]);
+        const auto away = away_frames(
+            trunks, take.frames_per_second, {size * kTrembling, size * kFastest, size * kFarthest});
+        for_stretches(
+            take.frame_count,
+            0,
+            [&](std::size_t frame) { return static_cast<bool>(away[frame]); },
+            [&](std::size_t first, std::size_t last) {
+                people.push_back({camera, std::nullopt, first, last});
+            });
     }
     return people;
 }
@@ -406,6 +394,15 @@ void add_flags(const std::vector<KeypointJump>& jumps,
                                     jump.camera ? names[*jump.camera] : std::string()});
         }
     }
+    // That joints are lost meanwhile needs no flag of each.
+    std::erase_if(tracks.flags, [&](const Flag& flag) {
+        constexpr std::size_t kAround = 2;  // frames
+        return flag.doubt == Doubt::lost &&
+               std::any_of(jumps.begin(), jumps.end(), [&](const KeypointJump& jump) {
+                   return !jump.point && flag.first + kAround >= jump.first &&
+                          flag.last <= jump.last + kAround;
+               });
+    });
     sort_flags(tracks);
 }
 
