@@ -278,43 +278,61 @@ class JumpSearch {
         return all;
     }
 
-    std::vector<KeypointJump> stretches() {
-        constexpr double kShortest = 0.1;  // seconds of what views alone tell
-        constexpr double kGap = 0.1;       // seconds between stretches that are one
-        std::vector<KeypointJump> all = disagreements();
-        const auto is_long = [&](std::size_t first, std::size_t last) {
-            return static_cast<double>(last - first + 1) >= kShortest * take_.frames_per_second;
-        };
-        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
-            const auto is_person = [&](std::size_t frame) {
+    // Whether a stretch is long enough for what views alone tell.
+    [[nodiscard]] bool is_long(std::size_t first, std::size_t last) const {
+        constexpr double kShortest = 0.1;  // seconds
+        return static_cast<double>(last - first + 1) >= kShortest * take_.frames_per_second;
+    }
+
+    // Other people, by what most joints of a camera do.
+    void add_people(std::size_t camera, std::vector<KeypointJump>& all) const {
+        constexpr double kGap = 0.1;  // seconds between stretches that are one
+        for_stretches(
+            take_.frame_count,
+            frames_of(kGap),
+            [&](std::size_t frame) {
                 return static_cast<bool>(people_[camera * take_.frame_count + frame]);
-            };
-            const auto add_person = [&](std::size_t first, std::size_t last) {
+            },
+            [&](std::size_t first, std::size_t last) {
                 if (is_long(first, last)) {
                     all.push_back({camera, std::nullopt, first, last});
                 }
+            });
+    }
+
+    // Joints that jump while the camera follows the dancer.
+    void add_joints(std::size_t camera,
+                    const std::vector<KeypointJump>& people,
+                    std::vector<KeypointJump>& all) {
+        for (std::size_t point = 0; point < followed_points().size(); ++point) {
+            const auto is_marked = [&](std::size_t frame) {
+                return mark(camera, frame, point) != Mark::none &&
+                       std::none_of(people.begin(), people.end(), [&](const auto& person) {
+                           return person.camera.value_or(camera) == camera &&
+                                  person.first <= frame && frame <= person.last;
+                       });
             };
-            for_stretches(take_.frame_count, frames_of(kGap), is_person, add_person);
-            const std::vector<KeypointJump> people = all;
-            for (std::size_t point = 0; point < followed_points().size(); ++point) {
-                const auto is_marked = [&](std::size_t frame) {
-                    return mark(camera, frame, point) != Mark::none &&
-                           std::none_of(people.begin(), people.end(), [&](const auto& person) {
-                               return person.camera.value_or(camera) == camera &&
-                                      person.first <= frame && frame <= person.last;
-                           });
-                };
-                const auto add = [&](std::size_t first, std::size_t last) {
-                    bool is_sure = is_long(first, last);
-                    for (std::size_t frame = first; frame <= last; ++frame) {
-                        is_sure = is_sure || mark(camera, frame, point) == Mark::by_time;
-                    }
-                    if (is_sure) {
-                        all.push_back({camera, followed_points()[point], first, last});
-                    }
-                };
-                for_stretches(take_.frame_count, 1, is_marked, add);
-            }
+            const auto add = [&](std::size_t first, std::size_t last) {
+                bool is_sure = is_long(first, last);
+                for (std::size_t frame = first; frame <= last; ++frame) {
+                    is_sure = is_sure || mark(camera, frame, point) == Mark::by_time;
+                }
+                if (is_sure) {
+                    all.push_back({camera, followed_points()[point], first, last});
+                }
+            };
+            for_stretches(take_.frame_count, 1, is_marked, add);
+        }
+    }
+
+    std::vector<KeypointJump> stretches() {
+        std::vector<KeypointJump> people = disagreements();
+        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
+            add_people(camera, people);
+        }
+        std::vector<KeypointJump> all = people;
+        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
+            add_joints(camera, people, all);
         }
         return all;
     }
