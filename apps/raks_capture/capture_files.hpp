@@ -9,12 +9,12 @@
 #include "apps/raks_capture/capture_plan.hpp"
 #include "motion/capture/angles/angle_track.hpp"
 #include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
 #include "motion/capture/solving/body_model.hpp"
 #include "motion/capture/tracking/camera_moves.hpp"
-#include "motion/capture/tracking/edits.hpp"
 
 namespace raks::apps {
 

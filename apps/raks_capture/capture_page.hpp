@@ -9,11 +9,11 @@
 #include "apps/raks_capture/body_facts.hpp"
 #include "motion/capture/angles/unsure_joints.hpp"
 #include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
 #include "motion/capture/tracking/camera_moves.hpp"
-#include "motion/capture/tracking/edits.hpp"
 
 namespace raks::apps {
 

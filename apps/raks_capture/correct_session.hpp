@@ -9,9 +9,9 @@
 
 #include "base/history.hpp"
 #include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/tracks.hpp"
-#include "motion/capture/tracking/edits.hpp"
 
 #include <glm/vec2.hpp>
 

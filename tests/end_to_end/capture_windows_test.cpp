@@ -12,6 +12,7 @@
 #include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
+#include "motion/capture/keypoints/keypoints.hpp"
 #include "motion/capture/markers/tracks.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 #include "tests/support/run_program.hpp"
@@ -223,6 +224,72 @@ TEST_F(CaptureWindows, edits_are_made_taken_back_tracked_and_saved) {
     EXPECT_EQ(run({"track", path("take")}).exit_code, 0);
     EXPECT_NE(capture::read_tracks(text("tracks.csv"), "tracks").value().at(kFrame, 5).place,
               tracks.at(kFrame, 5).place);
+}
+
+// Somebody who stands still and sways, as a network sees it in two cameras.
+capture::KeypointFilm swaying(const capture::Camera& camera) {
+    capture::KeypointFilm film{camera.name, camera.lens.width, camera.lens.height, "full", {}};
+    for (std::size_t number = 0; number < 90; ++number) {
+        capture::KeypointPicture& picture = film.pictures.emplace_back();
+        picture.number = number;
+        picture.time = static_cast<double>(number) / 30.0;
+        picture.score = 1.0;
+        for (std::size_t i = 0; i < capture::kBodyPoints; ++i) {
+            const double down = static_cast<double>(i) / capture::kBodyPoints;
+            const double side = i % 2 == 0 ? -0.2 : 0.2;
+            const auto pixel = capture::project(
+                camera, {side + 0.1 * std::sin(picture.time), 1.7 - 1.6 * down, 0.1 * down});
+            picture.points[i] = {pixel.value(), 0.9};
+        }
+    }
+    return film;
+}
+
+TEST_F(CaptureWindows, sides_are_exchanged_and_people_hidden_in_one_view) {
+    std::string plan_text = "format = \"raks-capture\"\nversion = 1\nmethod = \"markerless\"\n";
+    std::string clocks = "format = \"raks-clocks\"\nversion = 1\n";
+    fs::create_directories(file("keypoints"));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string& name = rig_.cameras[i].name;
+        plan_text += "[[camera]]\nname = \"" + name + "\"\n";
+        clocks += "[[clock]]\ncamera = \"" + name + "\"\noffset = 0.0\n";
+        ASSERT_TRUE(write_file(file("keypoints/" + name + ".csv"),
+                               capture::keypoints_text(swaying(rig_.cameras[i]))));
+    }
+    ASSERT_TRUE(write_file(file("capture.toml"), plan_text));
+    ASSERT_TRUE(write_file(file("clocks.toml"), clocks));
+    std::vector<double> shapes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const capture::Lens& lens = rig_.cameras[i].lens;
+        shapes.push_back(static_cast<double>(lens.width) / lens.height);
+    }
+    const CorrectLayout layout =
+        apps::correct_layout(kArea, shapes, 23, std::nullopt, apps::CorrectKind::joints);
+
+    open("correct");
+    const Box& view = layout.views[1];
+    click(glm::ivec2(static_cast<int>(view.x) + 12, static_cast<int>(view.bottom()) - 12));
+    press("Right", 4);
+    press("e");
+    press("bracketleft");
+    press("Right", 2);
+    press("bracketright");
+    click(layout.hide_view);
+    press("u");
+    click(layout.redo);
+    press("s");
+    const std::string camera = rig_.cameras[1].name;
+    using capture::EditKind;
+    const std::string expected =
+        capture::edits_text({{.kind = EditKind::exchange, .camera = camera, .first = 4, .last = 4},
+                             {.kind = EditKind::hide, .camera = camera, .first = 4, .last = 6}});
+    EXPECT_TRUE(comes_to_be("edits.jsonl", expected)) << text("edits.jsonl") << "not\n" << expected;
+    close();
+    const auto tracked = run({"track", path("take")});
+    ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
+    const capture::Tracks tracks = capture::read_tracks(text("tracks.csv"), "tracks").value();
+    EXPECT_EQ(tracks.at(5, 3).source, capture::PlaceSource::lost) << "one view is too few";
+    EXPECT_EQ(tracks.at(7, 3).source, capture::PlaceSource::seen);
 }
 
 TEST_F(CaptureWindows, what_is_not_saved_is_asked_about_once) {

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "motion/capture/angles/angle_track.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
 #include "motion/capture/markers/tracks.hpp"
 #include "motion/capture/solving/body_file.hpp"
 #include "motion/capture/tracking/camera_moves.hpp"
-#include "motion/capture/tracking/edits.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
 

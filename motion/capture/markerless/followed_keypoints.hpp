@@ -8,8 +8,8 @@
 #include "base/expected.hpp"
 #include "motion/capture/camera/rig.hpp"
 #include "motion/capture/markerless/keypoint_take.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/tracks.hpp"
-#include "motion/capture/tracking/edits.hpp"
 
 namespace raks::capture {
 

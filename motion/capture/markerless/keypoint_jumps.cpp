@@ -8,6 +8,7 @@
 #include <functional>
 #include <tuple>
 
+#include "motion/capture/markerless/away_frames.hpp"
 #include "motion/capture/markerless/keypoint_markers.hpp"
 #include "motion/capture/markerless/keypoint_tracks.hpp"
 
@@ -49,7 +50,7 @@ void for_stretches(std::size_t frames,
         if (!is_so(frame)) {
             continue;
         }
-        if (first && frame - last > gap) {
+        if (first && frame - last > gap + 1) {
             add(*first, last);
             first.reset();
         }
@@ -69,7 +70,9 @@ class JumpSearch {
           errors_(errors),
           take_(take),
           marks_(take.cameras * take.frame_count * followed_points().size()),
-          people_(take.cameras * take.frame_count) {}
+          people_(take.cameras * take.frame_count),
+          shared_(take.frame_count),
+          contradicting_(take.frame_count) {}
 
     std::vector<KeypointJump> search() {
         for (std::size_t point = 0; point < followed_points().size(); ++point) {
@@ -162,6 +165,9 @@ class JumpSearch {
             placed.push_back(place_keypoint(rig_, take_, frame, followed_points()[point], errors_));
         }
         for (std::size_t frame = 0; frame < take_.frame_count; ++frame) {
+            const KeypointOutcome outcome = placed[frame].outcome;
+            shared_[frame] += outcome != KeypointOutcome::unseen ? 1.0 : 0.0;
+            contradicting_[frame] += outcome == KeypointOutcome::contradicts ? 1.0 : 0.0;
             for (const std::size_t camera : placed[frame].odd) {
                 if (seen(camera, frame, point) != nullptr) {
                     note(camera, frame, point);
@@ -248,43 +254,89 @@ class JumpSearch {
         }
     }
 
-    std::vector<KeypointJump> stretches() {
-        constexpr double kShortest = 0.1;  // seconds of what views alone tell
-        constexpr double kGap = 0.1;       // seconds between stretches that are one
+    // Stretches in which the cameras do not see the same person.
+    [[nodiscard]] std::vector<KeypointJump> disagreements() const {
+        constexpr double kShare = 1.0 / 3.0;  // of the joints that two cameras see
+        constexpr double kAround = 0.25;      // seconds, each side, that are counted together
+        constexpr double kShortest = 0.3;     // seconds
         std::vector<KeypointJump> all;
-        const auto is_long = [&](std::size_t first, std::size_t last) {
-            return static_cast<double>(last - first + 1) >= kShortest * take_.frames_per_second;
+        const std::size_t around = frames_of(kAround);
+        const auto is_so = [&](std::size_t frame) {
+            double shared = 0.0;
+            double contradicting = 0.0;
+            const std::size_t end = std::min(frame + around + 1, take_.frame_count);
+            for (std::size_t at = frame - std::min(frame, around); at < end; ++at) {
+                shared += shared_[at];
+                contradicting += contradicting_[at];
+            }
+            return shared > 0.0 && contradicting >= kShare * shared;
         };
-        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
-            const auto is_person = [&](std::size_t frame) {
+        for_stretches(take_.frame_count,
+                      frames_of(kShortest),
+                      is_so,
+                      [&](std::size_t first, std::size_t last) {
+                          if (last - first >= frames_of(kShortest)) {
+                              all.push_back({std::nullopt, std::nullopt, first, last});
+                          }
+                      });
+        return all;
+    }
+
+    // Whether a stretch is long enough for what views alone tell.
+    [[nodiscard]] bool is_long(std::size_t first, std::size_t last) const {
+        constexpr double kShortest = 0.1;  // seconds
+        return static_cast<double>(last - first + 1) >= kShortest * take_.frames_per_second;
+    }
+
+    // Other people, by what most joints of a camera do.
+    void add_people(std::size_t camera, std::vector<KeypointJump>& all) const {
+        constexpr double kGap = 0.1;  // seconds between stretches that are one
+        for_stretches(
+            take_.frame_count,
+            frames_of(kGap),
+            [&](std::size_t frame) {
                 return static_cast<bool>(people_[camera * take_.frame_count + frame]);
-            };
-            const auto add_person = [&](std::size_t first, std::size_t last) {
+            },
+            [&](std::size_t first, std::size_t last) {
                 if (is_long(first, last)) {
                     all.push_back({camera, std::nullopt, first, last});
                 }
+            });
+    }
+
+    // Joints that jump while the camera follows the dancer.
+    void add_joints(std::size_t camera,
+                    const std::vector<KeypointJump>& people,
+                    std::vector<KeypointJump>& all) {
+        for (std::size_t point = 0; point < followed_points().size(); ++point) {
+            const auto is_marked = [&](std::size_t frame) {
+                return mark(camera, frame, point) != Mark::none &&
+                       std::none_of(people.begin(), people.end(), [&](const auto& person) {
+                           return person.camera.value_or(camera) == camera &&
+                                  person.first <= frame && frame <= person.last;
+                       });
             };
-            for_stretches(take_.frame_count, frames_of(kGap), is_person, add_person);
-            const std::vector<KeypointJump> people = all;
-            for (std::size_t point = 0; point < followed_points().size(); ++point) {
-                const auto is_marked = [&](std::size_t frame) {
-                    return mark(camera, frame, point) != Mark::none &&
-                           std::none_of(people.begin(), people.end(), [&](const auto& person) {
-                               return person.camera == camera && person.first <= frame &&
-                                      frame <= person.last;
-                           });
-                };
-                const auto add = [&](std::size_t first, std::size_t last) {
-                    bool is_sure = is_long(first, last);
-                    for (std::size_t frame = first; frame <= last; ++frame) {
-                        is_sure = is_sure || mark(camera, frame, point) == Mark::by_time;
-                    }
-                    if (is_sure) {
-                        all.push_back({camera, followed_points()[point], first, last});
-                    }
-                };
-                for_stretches(take_.frame_count, 1, is_marked, add);
-            }
+            const auto add = [&](std::size_t first, std::size_t last) {
+                bool is_sure = is_long(first, last);
+                for (std::size_t frame = first; frame <= last; ++frame) {
+                    is_sure = is_sure || mark(camera, frame, point) == Mark::by_time;
+                }
+                if (is_sure) {
+                    all.push_back({camera, followed_points()[point], first, last});
+                }
+            };
+            for_stretches(take_.frame_count, 1, is_marked, add);
+        }
+    }
+
+    std::vector<KeypointJump> stretches() {
+        std::vector<KeypointJump> people = disagreements();
+        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
+            add_people(camera, people);
+        }
+        std::vector<KeypointJump> all = people;
+        for (std::size_t camera = 0; camera < take_.cameras; ++camera) {
+            add_joints(camera, people, all);
         }
         return all;
     }
@@ -294,6 +346,9 @@ class JumpSearch {
     const KeypointTake& take_;
     std::vector<Mark> marks_;   // cameras x frames x points
     std::vector<bool> people_;  // cameras x frames
+    // By frame: joints that two cameras see, and those of them whose views contradict one another.
+    std::vector<double> shared_;
+    std::vector<double> contradicting_;
 };
 
 }  // namespace
@@ -301,38 +356,25 @@ class JumpSearch {
 std::vector<KeypointJump> find_other_people(const std::vector<double>& errors,
                                             const KeypointTake& take) {
     // Of the body's height in the picture.
-    constexpr double kTrembling = 0.2;    // that a trunk may be off
-    constexpr double kFastest = 1.5;      // a second, of a dancer's trunk
-    constexpr double kFarthest = 0.45;    // that is allowed for at most
-    constexpr double kLongestAway = 3.0;  // seconds until the other one is believed
+    constexpr double kTrembling = 0.2;
+    constexpr double kFastest = 1.5;
+    constexpr double kFarthest = 0.45;
     std::vector<KeypointJump> people;
     for (std::size_t camera = 0; camera < take.cameras; ++camera) {
-        const double size = body_size(errors[camera]);
-        std::optional<glm::dvec2> last;
-        std::size_t when = 0;
-        std::optional<std::size_t> away;  // since when
-        const auto end = [&](std::size_t frame) {
-            if (away) {
-                people.push_back({camera, std::nullopt, *away, frame});
-                away.reset();
-            }
-        };
+        std::vector<std::optional<glm::dvec2>> trunks;
         for (std::size_t frame = 0; frame < take.frame_count; ++frame) {
-            const auto trunk = seen_trunk(take, frame, camera);
-            if (!trunk) {
-                continue;
-            }
-            const double seconds = static_cast<double>(frame - when) / take.frames_per_second;
-            const double allowed = size * std::min(kFarthest, kTrembling + kFastest * seconds);
-            if (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway) {
-                end(frame - 1);
-                last = trunk;
-                when = frame;
-            } else {
-                away = away.value_or(frame);
-            }
+            trunks.push_back(seen_trunk(take, frame, camera));
         }
-        end(take.frame_count - 1);
+        const double size = body_size(errors[camera]);
+        const auto away = away_frames(
+            trunks, take.frames_per_second, {size * kTrembling, size * kFastest, size * kFarthest});
+        for_stretches(
+            take.frame_count,
+            0,
+            [&](std::size_t frame) { return static_cast<bool>(away[frame]); },
+            [&](std::size_t first, std::size_t last) {
+                people.push_back({camera, std::nullopt, first, last});
+            });
     }
     return people;
 }
@@ -345,8 +387,12 @@ std::vector<KeypointJump> find_jumps(const Rig& rig,
 
 void hide_jumps(const std::vector<KeypointJump>& jumps, KeypointTake& take) {
     for (const KeypointJump& jump : jumps) {
-        for (std::size_t frame = jump.first; frame <= jump.last; ++frame) {
-            auto& points = take.at(frame, jump.camera);
+        for (std::size_t i = 0; i < take.cameras * (jump.last - jump.first + 1); ++i) {
+            const std::size_t camera = i % take.cameras;
+            auto& points = take.at(jump.first + i / take.cameras, camera);
+            if (jump.camera.value_or(camera) != camera) {
+                continue;
+            }
             if (jump.point) {
                 points[static_cast<std::size_t>(*jump.point)] = {};
             } else {
@@ -367,9 +413,18 @@ void add_flags(const std::vector<KeypointJump>& jumps,
                                     static_cast<std::size_t>(marker - tracks.markers.begin()),
                                     jump.first,
                                     jump.last,
-                                    names[jump.camera]});
+                                    jump.camera ? names[*jump.camera] : std::string()});
         }
     }
+    // That joints are lost meanwhile needs no flag of each.
+    std::erase_if(tracks.flags, [&](const Flag& flag) {
+        constexpr std::size_t kAround = 2;  // frames
+        return flag.doubt == Doubt::lost &&
+               std::any_of(jumps.begin(), jumps.end(), [&](const KeypointJump& jump) {
+                   return !jump.point && flag.first + kAround >= jump.first &&
+                          flag.last <= jump.last + kAround;
+               });
+    });
     sort_flags(tracks);
 }
 
@@ -398,6 +453,18 @@ std::vector<std::string> words_of(const std::vector<KeypointJump>& jumps,
             lines.push_back(fmt::format(
                 "{}: joints jumped in {} stretches, which do not count", names[camera], stretches));
         }
+    }
+    double apart = 0.0;
+    for (const KeypointJump& jump : jumps) {
+        apart += jump.camera
+                     ? 0.0
+                     : static_cast<double>(jump.last - jump.first + 1) / tracks.frames_per_second;
+    }
+    if (apart > 0.0) {
+        lines.push_back(fmt::format(
+            "the cameras do not follow the same person for {:.1f} s, which do not count; tell "
+            "which one is wrong in raks capture correct",
+            apart));
     }
     return lines;
 }

@@ -15,10 +15,10 @@ namespace raks::capture {
 
 /// A stretch in which a camera's network was elsewhere.
 struct KeypointJump {
-    std::size_t camera = 0;
-    std::optional<BodyPoint> point{};  ///< none: the whole body, which is another person
-    std::size_t first = 0;             ///< frame of the take
-    std::size_t last = 0;              ///< likewise, included
+    std::optional<std::size_t> camera{};  ///< none: one of them, nobody knows which
+    std::optional<BodyPoint> point{};     ///< none: the whole body, which is another person
+    std::size_t first = 0;                ///< frame of the take
+    std::size_t last = 0;                 ///< likewise, included
 
     friend bool operator==(const KeypointJump&, const KeypointJump&) = default;
 };
@@ -32,8 +32,8 @@ struct KeypointJump {
 /// Joints that jump. By time: out by more than six usual errors within 1/30 s and back within
 /// 0.2 s, which nobody can. By views, for 0.1 s or longer: the views contradict one another, and
 /// one of them alone is far from where the joint was and will be. Where half of a camera's joints
-/// do, it is another person. Result: by camera, then point and first frame. Cost: a triangulation
-/// for each joint of each frame.
+/// do, it is another person. Result: other people first, then joints by camera, point and first
+/// frame. Cost: a triangulation for each joint of each frame.
 [[nodiscard]] std::vector<KeypointJump> find_jumps(const Rig& rig,
                                                    const std::vector<double>& errors,
                                                    const KeypointTake& take);

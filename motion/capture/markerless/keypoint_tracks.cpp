@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "motion/capture/markerless/away_frames.hpp"
 #include "motion/capture/markerless/keypoint_markers.hpp"
 #include "motion/capture/triangulation/triangulation.hpp"
 
@@ -42,30 +43,16 @@ std::optional<glm::dvec3> trunk_at(const Tracks& tracks, std::size_t frame) {
 
 // Takes out the frames in which the body is where the dancer cannot have got to.
 void drop_jumps(Tracks& tracks, std::vector<KeypointOutcome>& outcomes) {
-    constexpr double kTrembling = 0.35;   // metres that a placed trunk may be off
-    constexpr double kFastest = 2.5;      // m/s of a dancer's trunk
-    constexpr double kFarthest = 0.75;    // metres that are allowed for at most
-    constexpr double kLongestAway = 3.0;  // seconds until another place is believed
-    std::optional<glm::dvec3> last;
-    std::size_t when = 0;
-    bool is_away = false;
+    constexpr TrunkLimits kMetres{0.35, 2.5, 0.75};
+    std::vector<std::optional<glm::dvec3>> trunks;
     for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
-        const auto trunk = trunk_at(tracks, frame);
-        if (!trunk && !is_away) {
-            continue;
-        }
-        const double seconds = static_cast<double>(frame - when) / tracks.frames_per_second;
-        const double allowed = std::min(kFarthest, kTrembling + kFastest * seconds);
-        if (trunk && (!last || glm::distance(*last, *trunk) <= allowed || seconds > kLongestAway)) {
-            last = trunk;
-            when = frame;
-            is_away = false;
-            continue;
-        }
-        is_away = true;
-        for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {
+        trunks.push_back(trunk_at(tracks, frame));
+    }
+    const auto away = away_frames(trunks, tracks.frames_per_second, kMetres);
+    for (std::size_t frame = 0; frame < tracks.frame_count; ++frame) {
+        for (std::size_t marker = 0; away[frame] && marker < tracks.markers.size(); ++marker) {
             tracks.at(frame, marker) = {};
-            outcomes[frame * tracks.markers.size() + marker] = KeypointOutcome::contradicts;
+            outcomes[frame * tracks.markers.size() + marker] = KeypointOutcome::away;
         }
     }
 }
@@ -156,6 +143,13 @@ Tracks keypoint_tracks(const Rig& rig,
         kLongestContradiction,
         [&](std::size_t frame, std::size_t marker) {
             return outcome(frame, marker) == KeypointOutcome::contradicts;
+        },
+        tracks);
+    flag_stretches(
+        Doubt::person,
+        0.0,
+        [&](std::size_t frame, std::size_t marker) {
+            return marker == 0 && outcome(frame, marker) == KeypointOutcome::away;
         },
         tracks);
     flag_stretches(

@@ -20,7 +20,8 @@ namespace raks::capture {
 inline constexpr double kLeastVisibility = 0.05;
 
 /// What became of one joint at one frame.
-enum class KeypointOutcome : std::uint8_t { placed, unseen, contradicts };
+/// Away: the whole body is where the dancer cannot be.
+enum class KeypointOutcome : std::uint8_t { placed, unseen, contradicts, away };
 
 /// Where its views have it.
 struct PlacedKeypoint {
@@ -42,7 +43,8 @@ struct PlacedKeypoint {
 /// error can be does not count; with two cameras the place is then lost. Where the whole body jumps
 /// farther than anybody can, as when a network takes another person for the dancer, all its places
 /// are lost until it is back, or 3 s later, when it is believed. Flags: lost for 0.2 s or more;
-/// residual, where views contradict one another for 0.1 s or more, or the body had jumped.
+/// residual, where views contradict one another for 0.1 s or more; person, at the nose, where the
+/// body had jumped.
 /// `errors`: by camera, usual_error(). Threads: any. Real-time: no.
 [[nodiscard]] Tracks keypoint_tracks(const Rig& rig,
                                      const KeypointTake& take,

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "motion/capture/camera/rig.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/markers/labels.hpp"
 #include "motion/capture/markers/marker_set.hpp"
 #include "motion/capture/markers/observations.hpp"
-#include "motion/capture/tracking/edits.hpp"
 
 namespace raks::capture {
 

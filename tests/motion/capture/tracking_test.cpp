@@ -6,9 +6,9 @@
 #include <string>
 
 #include "base/dice.hpp"
+#include "motion/capture/markers/edits.hpp"
 #include "motion/capture/studio/point_studio.hpp"
 #include "motion/capture/tracking/distance_limits.hpp"
-#include "motion/capture/tracking/edits.hpp"
 #include "motion/capture/tracking/marker_filter.hpp"
 #include "motion/capture/tracking/marker_tracker.hpp"
 #include "motion/capture/tracking/track_errors.hpp"

@@ -101,7 +101,7 @@ TEST(KeypointTracks, somebody_who_walks_by_is_not_followed) {
     }
     EXPECT_EQ(lost, (134U - 91U) * tracks.markers.size());
     EXPECT_TRUE(std::any_of(tracks.flags.begin(), tracks.flags.end(), [](const Flag& flag) {
-        return flag.doubt == Doubt::residual && flag.first <= 92U && flag.last >= 130U;
+        return flag.doubt == Doubt::person && flag.first <= 92U && flag.last >= 130U;
     }));
     std::size_t seen = 0;
     for (std::size_t marker = 0; marker < tracks.markers.size(); ++marker) {

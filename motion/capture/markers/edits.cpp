@@ -1,4 +1,4 @@
-#include "motion/capture/tracking/edits.hpp"
+#include "motion/capture/markers/edits.hpp"
 
 #include <fmt/format.h>
 
