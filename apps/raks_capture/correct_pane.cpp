@@ -50,8 +50,8 @@ class CorrectPane {
 
     std::vector<CorrectWish> draw() {
         for (const KeyEvent& key : frame_.keys) {
-            for (CorrectWish& wish : wishes_of_key(key, session_, scene_)) {
-                wishes_.push_back(std::move(wish));
+            for (const CorrectWish& wish : wishes_of_key(key, session_, scene_)) {
+                wishes_.push_back(wish);
             }
         }
         bar();
@@ -67,7 +67,7 @@ class CorrectPane {
     }
 
  private:
-    void wish(CorrectAction action) { wishes_.emplace_back(std::move(action)); }
+    void wish(const CorrectAction& action) { wishes_.emplace_back(action); }
 
     bool button(const Box& box, std::string_view label, bool is_on = true) {
         return pane_button(frame_, box, label, is_on ? ButtonLook::usual : ButtonLook::off);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -80,6 +81,35 @@ void draw_dashes(const render::PaneFrame& frame, const glm::vec2& from, const gl
     }
 }
 
+enum class BonePart : std::uint8_t { outline, bone };
+
+void draw_bones(const render::PaneFrame& frame,
+                const render::PicturePlace& place,
+                const ViewSkeleton& joints,
+                BonePart part) {
+    constexpr float kBone = 2.5F;
+    constexpr float kRim = 1.2F;  // of the outline, each side
+    const bool is_outline = part == BonePart::outline;
+    for (const auto& [one, other] : kBones) {
+        const ViewJoint& from = joints[index_of(one)];
+        const ViewJoint& to = joints[index_of(other)];
+        if (from.visibility <= 0.0 || to.visibility <= 0.0) {
+            continue;
+        }
+        if (!from.is_hidden && !to.is_hidden) {
+            const Colour colour = is_outline ? kOutline : colour_of_bone(one, other);
+            draw_line(frame,
+                      place,
+                      from.pixel,
+                      to.pixel,
+                      colour.faded(std::min(opacity_of(from), opacity_of(to))),
+                      is_outline ? kBone + 2.0F * kRim : kBone);
+        } else if (!is_outline) {
+            draw_dashes(frame, place.in_box(from.pixel), place.in_box(to.pixel));
+        }
+    }
+}
+
 }  // namespace
 
 Colour colour_of_side(std::string_view joint) noexcept {
@@ -91,30 +121,9 @@ Colour colour_of_side(std::string_view joint) noexcept {
 void draw_skeleton(const render::PaneFrame& frame,
                    const render::PicturePlace& place,
                    const ViewSkeleton& joints) {
-    constexpr float kBone = 2.5F;
-    constexpr float kRim = 1.2F;  // of the outline, each side
     // All outlines first, so that none lies over a bone.
-    for (const bool is_outline : {true, false}) {
-        for (const auto& [one, other] : kBones) {
-            const ViewJoint& from = joints[index_of(one)];
-            const ViewJoint& to = joints[index_of(other)];
-            if (from.visibility <= 0.0 || to.visibility <= 0.0) {
-                continue;
-            }
-            const bool is_hidden = from.is_hidden || to.is_hidden;
-            const float opacity = std::min(opacity_of(from), opacity_of(to));
-            if (is_hidden && !is_outline) {
-                draw_dashes(frame, place.in_box(from.pixel), place.in_box(to.pixel));
-            } else if (!is_hidden) {
-                draw_line(frame,
-                          place,
-                          from.pixel,
-                          to.pixel,
-                          (is_outline ? kOutline : colour_of_bone(one, other)).faded(opacity),
-                          is_outline ? kBone + 2.0F * kRim : kBone);
-            }
-        }
-    }
+    draw_bones(frame, place, joints, BonePart::outline);
+    draw_bones(frame, place, joints, BonePart::bone);
     for (const auto& [one, other] : kBones) {
         for (const BodyPoint point : {one, other}) {
             const ViewJoint& joint = joints[index_of(point)];
