@@ -18,7 +18,7 @@ class LearningLine : public ::testing::Test {
         motion::test::SteppingDance dance;
         dance.repeats = repeats;
         const motion::TrainingClip clip = motion::test::stepping_clip(dance);
-        const fs::path file = folder_ / "dance.bvh";
+        fs::path file = folder_ / "dance.bvh";
         EXPECT_TRUE(motion::write_bvh(
             file, motion::mannequin_skeleton(), clip.poses, clip.frames_per_second));
         return file;

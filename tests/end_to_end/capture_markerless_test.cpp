@@ -2,10 +2,8 @@
 // truth.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
-#include "base/file.hpp"
 #include "base/pending_file.hpp"
 #include "tests/end_to_end/program_fixture.hpp"
 
@@ -13,8 +11,6 @@
 
 namespace raks::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Two cameras of small pictures, 85 degrees apart and 1.3 m high, that look at the dancer's hips.
 constexpr const char* kRig = R"([cam_0]
