@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "apps/clips/clip_reading.hpp"
+#include "apps/dances/tracked_counts.hpp"
 #include "apps/raks_train/destination.hpp"
 #include "apps/raks_train/found_repeats.hpp"
 #include "apps/raks_train/likelihoods.hpp"
-#include "apps/dances/tracked_counts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/dance_list.hpp"
 #include "base/pending_file.hpp"

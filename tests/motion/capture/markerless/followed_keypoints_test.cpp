@@ -183,8 +183,9 @@ TEST_F(FollowedJoints, edits_of_markers_and_of_nothing_are_refused_in_one_line) 
               "edit 1: \"c7\" is none of the joints that a network sees");
     EXPECT_EQ(why(R"({"edit": "exchange", "camera": "left", "first": 1, "last": 2})"),
               "edit 1: there is no camera \"left\"");
-    EXPECT_NE(why(R"({"edit": "set", "frame": 1, "camera": "camera1", "marker": "nose", "u": 9999, "v": 1})"),
-              "");
+    EXPECT_NE(
+        why(R"({"edit": "set", "frame": 1, "camera": "camera1", "marker": "nose", "u": 9999, "v": 1})"),
+        "");
     EXPECT_EQ(why(R"({"edit": "hide", "camera": "camera1", "first": 9000, "last": 9001})"), "")
         << "frames that there are not are passed over";
 }
