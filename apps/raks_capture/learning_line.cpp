@@ -36,7 +36,7 @@ Learnable what_can_be_learnt(const std::filesystem::path& clip,
 }
 
 std::string learning_line(const std::filesystem::path& clip,
-                          const std::optional<DancedSong>& song,
+                          const std::optional<FilmedSong>& song,
                           Learnable what) {
     const std::string motion = shell_word(clip.string());
     if (!song) {

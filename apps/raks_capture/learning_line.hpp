@@ -10,8 +10,8 @@
 
 namespace raks::apps {
 
-/// The song that was danced to, and where in it the motion begins.
-struct DancedSong {
+/// The song of a captured dance, and where in it the motion begins.
+struct FilmedSong {
     std::filesystem::path file;
     motion::DancedMusic music;  ///< its beats; `offset` is the second at the motion's first frame
 };
@@ -32,7 +32,7 @@ enum class Learnable {
 /// what is improvised, `raks train take`, with the song and where in it the motion begins; without
 /// a song a take is learnt as one phrase, since nothing tells its beats for sure.
 [[nodiscard]] std::string learning_line(const std::filesystem::path& clip,
-                                        const std::optional<DancedSong>& song,
+                                        const std::optional<FilmedSong>& song,
                                         Learnable what);
 
 }  // namespace raks::apps

@@ -80,15 +80,15 @@ Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
 }
 
 // The song with its beats; nothing: none was heard.
-Expected<std::optional<DancedSong>> danced_song(const CapturePlan& plan) {
+Expected<std::optional<FilmedSong>> danced_song(const CapturePlan& plan) {
     const auto offset = song_offset(plan);
     if (!offset) {
         return fail(offset.error());
     }
     if (!*offset) {
-        return std::optional<DancedSong>();
+        return std::optional<FilmedSong>();
     }
-    DancedSong song;
+    FilmedSong song;
     song.file = plan.file(plan.music);
     auto counts = track_counts(song.file);
     if (!counts) {

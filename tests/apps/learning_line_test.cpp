@@ -51,7 +51,7 @@ TEST_F(LearningLine, what_does_not_repeat_is_a_take) {
 }
 
 TEST_F(LearningLine, names_the_song_and_where_the_dance_begins_in_it) {
-    DancedSong song;
+    FilmedSong song;
     song.file = "my song's.mp3";
     song.music.offset = 1.78;
     EXPECT_EQ(learning_line("a/dance.bvh", song, Learnable::take),
