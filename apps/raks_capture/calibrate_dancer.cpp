@@ -43,6 +43,7 @@ double dancer_height(const CapturePlan& plan, double given) {
 Expected<std::vector<capture::DancerCamera>> dancer_cameras(
     const CapturePlan& plan, const std::vector<capture::KeypointFilm>& films) {
     std::vector<capture::DancerCamera> cameras;
+    cameras.reserve(films.size());
     for (const capture::KeypointFilm& film : films) {
         cameras.push_back({film.camera, film.width, film.height, std::nullopt});
     }

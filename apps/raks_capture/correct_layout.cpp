@@ -35,8 +35,9 @@ std::vector<Box> grid(const Box& room, const std::vector<double>& shapes) {
     const float height = room.height / static_cast<float>(rows_of(columns));
     std::vector<Box> cells;
     for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t row = i / columns;
         cells.push_back({room.x + static_cast<float>(i % columns) * width,
-                         room.y + static_cast<float>(i / columns) * height,
+                         room.y + static_cast<float>(row) * height,
                          width - kBetween,
                          height - kBetween});
     }

@@ -222,6 +222,27 @@ capture::ChromaForm form_named(std::string_view name) {
     return name == "crcb" ? capture::ChromaForm::crcb : capture::ChromaForm::normalised;
 }
 
+// What moved, how much is there, what angles cost, and what is doubtful.
+void say_what_came(const TrackingGiven& given, const FollowedMarkers& followed, double cpu) {
+    const capture::TrackerStages& stages = followed.stages;
+    for (const capture::CameraMove& move : stages.moves) {
+        say(capture::words_of_move(move, stages.smoothed));
+    }
+    say(summary_of(stages.smoothed));
+    if (followed.angles) {
+        say(cost_of(stages.smoothed, cpu));
+        for (const std::string& line : angle_lines(followed, given.angles->body)) {
+            say(line);
+        }
+    }
+    for (const auto& doubts : {film_doubts(given.rig, given.seen, given.clocks),
+                               track_doubts(stages.smoothed, given.markers)}) {
+        for (const std::string& doubt : doubts) {
+            say(doubt);
+        }
+    }
+}
+
 // Without markers: the joints that a network saw.
 ExitCode track_joints(const CapturePlan& plan, const TrackArguments& arguments) {
     if (!arguments.truth.empty()) {
@@ -299,22 +320,7 @@ ExitCode track(const TrackArguments& arguments) {
     if (auto written = write_tracks(*plan, *given, *followed); !written) {
         return fail(std::move(written.error()));
     }
-    for (const capture::CameraMove& move : stages.moves) {
-        say(capture::words_of_move(move, stages.smoothed));
-    }
-    say(summary_of(stages.smoothed));
-    if (followed->angles) {
-        say(cost_of(stages.smoothed, cpu));
-        for (const std::string& line : angle_lines(*followed, given->angles->body)) {
-            say(line);
-        }
-    }
-    for (const auto& doubts : {film_doubts(given->rig, given->seen, given->clocks),
-                               track_doubts(stages.smoothed, given->markers)}) {
-        for (const std::string& doubt : doubts) {
-            say(doubt);
-        }
-    }
+    say_what_came(*given, *followed, cpu);
     if (stop_signal()) {
         return exit_code_after_signals(kExitPartly);
     }

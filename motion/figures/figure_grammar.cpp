@@ -141,7 +141,7 @@ class GrammarReader {
             return fail(name_ + ": " + ok.error().message);
         }
         for (std::string& note : grammar.habits.notes) {
-            note = name_ + ": " + note;
+            note.insert(0, name_ + ": ");
         }
         for (const DanceRole role : {DanceRole::lead, DanceRole::follow}) {
             if (auto ok = read_place(root, role, grammar); !ok) {

@@ -1,5 +1,7 @@
 #include "training/discovery/clip_discovery.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -68,7 +70,7 @@ Expected<DiscoveredClip> discover_clip(const std::pair<const std::string, fs::pa
         return fail(std::move(found.error()).in(name));
     }
     for (const std::string& warning : found->warnings) {
-        warnings.push_back(name + ": " + warning);
+        warnings.push_back(fmt::format("{}: {}", name, warning));
     }
     return DiscoveredClip{file.first, file.second, std::move(*clip), std::move(*found)};
 }

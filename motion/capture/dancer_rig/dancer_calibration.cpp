@@ -153,6 +153,7 @@ class DancerRig {
                                                  std::size_t from,
                                                  std::size_t to) {
         std::vector<DancerMoment> two;
+        two.reserve(moments.size());
         for (const DancerMoment& moment : moments) {
             two.push_back({moment[from], moment[to]});
         }

@@ -246,7 +246,7 @@ Expected<double> choose_unit(const motion::PointClip& clip,
 // Moves all places so that the lowest points of the feet are where soles have them.
 void put_on_floor(const MarkerSet& markers, Tracks& tracks) {
     const motion::WorldPose rest = motion::world_pose(motion::mannequin_skeleton(), motion::Pose{});
-    const double hips = motion::mannequin_skeleton().hips_height();
+    const auto hips = static_cast<double>(motion::mannequin_skeleton().hips_height());
     std::vector<double> floors;
     for (std::size_t i = 0; i < tracks.markers.size(); ++i) {
         const Marker& marker = markers.markers[*markers.index_of(tracks.markers[i])];
