@@ -69,15 +69,13 @@ std::string sync_table(const SyncResult& result, const SyncPlan& plan) {
     }
     if (result.song) {
         const double start = plan.start.value_or(0.0);
-        const std::string song = printable(plan.music->string(), 200);
         text += fmt::format(
-            "{} begins at {:.4f} s (confidence {:.2f}). For a dance that begins at {:.4f} s:\n"
-            "  raks train figure dance.bvh --music {} --offset {:.4f}\n",
-            song,
+            "{} begins at {:.4f} s (confidence {:.2f}): a dance that begins at {:.4f} s has "
+            "--offset {:.4f}\n",
+            printable(plan.music->string(), 200),
             shown(result.song->line.offset),
             result.song->confidence,
             start,
-            song,
             shown(result.song->song_time(start)));
     }
     return text;

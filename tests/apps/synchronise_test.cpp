@@ -149,10 +149,8 @@ TEST_F(Synchronise, table_and_json_say_the_same) {
     const std::string table = sync_table(*result, plan);
     EXPECT_NE(table.find("back       0.0000       0.0"), std::string::npos) << table;
     EXPECT_NE(table.find("the capture's clock"), std::string::npos) << table;
-    EXPECT_NE(
-        table.find("raks train figure dance.bvh --music " + song().string() + " --offset 12.000"),
-        std::string::npos)
-        << table;
+    EXPECT_NE(table.find(song().string() + " begins at "), std::string::npos) << table;
+    EXPECT_NE(table.find("--offset 12.000"), std::string::npos) << table;
     const auto document = nlohmann::json::parse(sync_json(*result, plan));
     EXPECT_EQ(document["format"], "raks-sync");
     EXPECT_EQ(document["cameras"][0]["through"], nullptr);

@@ -16,7 +16,10 @@
 namespace raks::capture {
 namespace {
 
-constexpr double kFarMarker = 0.05;    // metres
+constexpr double kFarMarker = 0.05;  // metres
+constexpr double kFarTimes = 3.0;    // times what it is usually off: joints that a network saw are
+                                   // off by more than markers
+constexpr double kFarJoint = 0.15;     // metres; farther is far, however often it is
 constexpr double kFarBeyond = 5.0;     // degrees
 constexpr double kLeastStretch = 0.1;  // seconds
 constexpr std::size_t kLeastOfTrunk = 3;
@@ -78,6 +81,8 @@ std::vector<SolveDoubt> find_doubts(const SolvedDance& dance,
         if (is_of_trunk(marker.bone)) {
             of_trunk.push_back(i);
         }
+        const double far =
+            std::clamp(kFarTimes * dance.markers[*index].difference, kFarMarker, kFarJoint);
         const auto beyond = [&](std::size_t frame) {
             const MarkerPlace& place = tracks.at(frame, i);
             if (!std::isfinite(place.place.x)) {
@@ -86,7 +91,7 @@ std::vector<SolveDoubt> find_doubts(const SolvedDance& dance,
             const double away = glm::distance(
                 place.place,
                 solved_place(dance, shape, marker, *index, pose_at(dance, tracks, frame)));
-            return away > kFarMarker ? away : 0.0;
+            return away > far ? away : 0.0;
         };
         add_stretches(
             tracks.frame_count,
