@@ -141,6 +141,13 @@ Distances distances(const TrueDance& truth, const SolvedDance& solved) {
     return found;
 }
 
+// A minute and more each under a sanitizer, where the other tests go the same ways.
+#if defined(RAKS_SANITIZED)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
 TEST(Solve, finds_joints_feet_and_motion_of_another_body_with_markers_elsewhere) {
     struct Case {
         const char* dance;
@@ -162,10 +169,16 @@ TEST(Solve, finds_joints_feet_and_motion_of_another_body_with_markers_elsewhere)
         EXPECT_GT(away.jerk, 0.5) << at.dance;
         EXPECT_LT(away.jerk, 1.3) << at.dance;
         EXPECT_NEAR(solved->size.whole, at.whole, 0.03) << at.dance;
+        if (kIsSanitized) {
+            break;
+        }
     }
 }
 
 TEST(Solve, finds_the_height_from_the_markers_alone) {
+    if (kIsSanitized) {
+        GTEST_SKIP() << "another test does it under a sanitizer";
+    }
     Measuring how;
     how.whole = 1.12;
     how.part_deviation = 0.0;
@@ -177,6 +190,9 @@ TEST(Solve, finds_the_height_from_the_markers_alone) {
 }
 
 TEST(Solve, follows_a_dancer_who_spins_and_bridges_gaps) {
+    if (kIsSanitized) {
+        GTEST_SKIP() << "another test does it under a sanitizer";
+    }
     Measuring how;
     how.spin = 6.0;
     TrueDance truth = measured("waltz", 0, how);
@@ -197,15 +213,16 @@ TEST(Solve, follows_a_dancer_who_spins_and_bridges_gaps) {
 TEST(Solve, gives_the_rate_that_was_asked_for) {
     Measuring how;
     how.every = 2;
+    how.frames = 120;
     const TrueDance truth = measured("house", 0, how);
     const auto solved = solve(truth.tracks, truth.markers, {.frames_per_second = 60.0});
     ASSERT_TRUE(solved) << solved.error().message;
     EXPECT_EQ(solved->frames_per_second, 60.0);
-    EXPECT_EQ(solved->poses.size(), 239U);
+    EXPECT_EQ(solved->poses.size(), 119U);
     EXPECT_LT(distances(truth, *solved).joints, 0.025);
     const auto slow = solve(truth.tracks, truth.markers, {.frames_per_second = 25.0});
     ASSERT_TRUE(slow);
-    EXPECT_EQ(slow->poses.size(), 100U);
+    EXPECT_EQ(slow->poses.size(), 50U);
 }
 
 TEST(Solve, of_the_papers_body_moves_only_its_joints) {
@@ -220,6 +237,9 @@ TEST(Solve, of_the_papers_body_moves_only_its_joints) {
 }
 
 TEST(Solve, tells_a_marker_that_leaves_the_body_and_does_not_follow_it) {
+    if (kIsSanitized) {
+        GTEST_SKIP() << "another test does it under a sanitizer";
+    }
     Measuring how;
     how.frames = 200;
     TrueDance truth = measured("rock", 0, how);
@@ -237,6 +257,9 @@ TEST(Solve, tells_a_marker_that_leaves_the_body_and_does_not_follow_it) {
 }
 
 TEST(Solve, soles_are_not_under_the_floor) {
+    if (kIsSanitized) {
+        GTEST_SKIP() << "another test does it under a sanitizer";
+    }
     const TrueDance truth = measured("rock", 1, {});
     const auto solved = solve(truth.tracks, truth.markers);
     ASSERT_TRUE(solved);
