@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kFarMarker = 0.05;  // metres
 constexpr double kFarTimes = 3.0;    // times what it is usually off: joints that a network saw are
-                                   // off by more than markers
-constexpr double kFarJoint = 0.15;     // metres; farther is far, however often it is
-constexpr double kFarBeyond = 5.0;     // degrees
+                                     // off by more than markers
+constexpr double kFarJoint = 0.15;   // metres; farther is far, however often it is
+constexpr double kFarBeyond = 5.0;   // degrees
 constexpr double kLeastStretch = 0.1;  // seconds
 constexpr std::size_t kLeastOfTrunk = 3;
 
