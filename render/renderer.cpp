@@ -15,7 +15,9 @@
 
 #include "base/expected.hpp"
 #include "render/avatar/avatar.hpp"
+#include "render/avatar_arrival.hpp"
 #include "render/avatar_painter.hpp"
+#include "render/drawing_state.hpp"
 #include "render/dress.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/gl/objects.hpp"
@@ -72,42 +74,6 @@ void clear(const Scene& scene) noexcept {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// Sets the state that drawing a picture needs, and takes it back.
-class DrawingState {
- public:
-    explicit DrawingState(const FrameTarget& target) noexcept {
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-        glViewport(target.x, target.y, target.width, target.height);
-        // Clearing ignores the viewport: without the scissor it would wipe the other tiles of a
-        // sheet.
-        const PixelBox part =
-            target.part.value_or(PixelBox{target.x, target.y, target.width, target.height});
-        glScissor(part.x, part.y, part.width, part.height);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glEnable(GL_SCISSOR_TEST);
-        glEnable(GL_DEPTH_TEST);
-        // The backdrop lies at the far end, where depth is equal to the cleared one.
-        glDepthFunc(GL_LEQUAL);
-        glEnable(GL_CULL_FACE);
-        glCullFace(GL_BACK);
-        glFrontFace(GL_CCW);
-        glDisable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied colours
-    }
-    DrawingState(const DrawingState&) = delete;
-    DrawingState& operator=(const DrawingState&) = delete;
-    ~DrawingState() {
-        glDisable(GL_SCISSOR_TEST);
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
-        glFrontFace(GL_CCW);
-        glBindVertexArray(0);
-        glUseProgram(0);
-    }
-};
-
 /// A dancer of this picture and who paints it.
 struct Painted {
     AvatarPainter* painter;
@@ -124,38 +90,6 @@ struct Bodies {
 
 }  // namespace
 
-/// An avatar on its way into the driver's memory.
-struct Renderer::Arrival {
-    Arrival(std::shared_ptr<const Avatar> of,
-            const BodyPrograms& body_programs,
-            SurfacePrograms& surface_programs)
-        : avatar(std::move(of)), painter(std::make_unique<AvatarPainter>(*avatar, body_programs)) {
-        if (avatar->rig != nullptr) {
-            upload.emplace(avatar->surface, surface_programs);
-        }
-    }
-    /// The next piece. True: there are no more.
-    [[nodiscard]] Expected<bool> next();
-
-    std::shared_ptr<const Avatar> avatar;
-    std::unique_ptr<AvatarPainter> painter;
-    std::optional<SurfaceUpload> upload;  // none: all is there
-    std::size_t warmed_up = 0;            // steps
-    bool is_warm = false;
-};
-
-Expected<bool> Renderer::Arrival::next() {
-    if (!upload) {
-        return true;
-    }
-    Expected<bool> is_done = upload->next();
-    if (is_done && *is_done) {
-        painter->set_surface(std::move(*upload).finished(), avatar->rig);
-        upload.reset();
-    }
-    return is_done;
-}
-
 struct Renderer::Parts {
     Quality quality;
     std::string notice;
@@ -170,10 +104,9 @@ struct Renderer::Parts {
     std::vector<gl::Buffer> dresses;  // by dancer of the picture
     // By handle; null where one was removed. What they point to above stays where it is.
     std::vector<std::unique_ptr<AvatarPainter>> avatars;
-    std::optional<Arrival> arrival;
+    std::optional<AvatarArrival> arrival;
 
     AvatarHandle keep(std::unique_ptr<AvatarPainter> painter);
-    void warm_up_arrival();
     void upload(const FrameView& view) const noexcept;
     void upload_dresses(const Scene& scene, std::span<const Painted> dancers);
     void wear(std::size_t dancer) const noexcept;
@@ -243,7 +176,9 @@ void Renderer::Parts::draw_picture(const Scene& scene,
     draw_shadow_map(scene, dancers, view.clip_from_light);
 
     const DrawingState state(target);
-    warm_up_arrival();
+    if (arrival) {
+        arrival->warm_up();  // what it draws is cleared away
+    }
     clear(scene);
     glPolygonMode(GL_FRONT_AND_BACK, scene.is_wireframe ? GL_LINE : GL_FILL);
     for (std::size_t i = 0; i < dancers.size(); ++i) {
@@ -395,7 +330,7 @@ Expected<Renderer> Renderer::create(const Avatar& avatar, const RendererConfig& 
 
 Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
     // Not owned: it lives as long as this call.
-    Arrival arrival(
+    AvatarArrival arrival(
         {std::shared_ptr<void>(), &avatar}, parts_->body_programs, parts_->surface_programs);
     for (;;) {
         const Expected<bool> is_done = arrival.next();
@@ -403,7 +338,7 @@ Expected<AvatarHandle> Renderer::add(const Avatar& avatar) {
             return fail(is_done.error());
         }
         if (*is_done) {
-            return parts_->keep(std::move(arrival.painter));
+            return parts_->keep(std::move(arrival).painter());
         }
     }
 }
@@ -413,7 +348,7 @@ void Renderer::begin_adding(std::shared_ptr<const Avatar> avatar) {
 }
 
 Expected<std::optional<AvatarHandle>> Renderer::add_pieces(Nanos most) {
-    std::optional<Arrival>& arrival = parts_->arrival;
+    std::optional<AvatarArrival>& arrival = parts_->arrival;
     const HostTime until = HostClock::now() + most;
     bool is_done = false;
     do {
@@ -424,10 +359,10 @@ Expected<std::optional<AvatarHandle>> Renderer::add_pieces(Nanos most) {
         }
         is_done = *next;
     } while (!is_done && HostClock::now() < until);
-    if (!arrival->is_warm) {
+    if (!arrival->is_warm()) {
         return std::nullopt;
     }
-    const AvatarHandle handle = parts_->keep(std::move(arrival->painter));
+    const AvatarHandle handle = parts_->keep(std::move(*arrival).painter());
     arrival.reset();
     return handle;
 }
@@ -442,13 +377,6 @@ AvatarHandle Renderer::Parts::keep(std::unique_ptr<AvatarPainter> painter) {
         *free = std::move(painter);
     }
     return AvatarHandle{place};
-}
-
-/// One step a picture; what is drawn is cleared away.
-void Renderer::Parts::warm_up_arrival() {
-    if (arrival && !arrival->upload) {
-        arrival->is_warm = !arrival->painter->warm_up(arrival->warmed_up++);
-    }
 }
 
 void Renderer::remove(AvatarHandle handle) noexcept {

@@ -110,7 +110,6 @@ class Renderer {
 
  private:
     struct Parts;
-    struct Arrival;
     explicit Renderer(std::unique_ptr<Parts> parts) noexcept;
     std::unique_ptr<Parts> parts_;
 };

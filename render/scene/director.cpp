@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/smooth_steps.hpp"
+#include "render/scene/shot_rules.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,51 +15,6 @@ namespace {
 using motion::Bone;
 using motion::WorldPose;
 using EventKind = MusicEvent::Kind;
-
-struct ShotRule {
-    std::string_view name;
-    ShotSize from;
-    ShotSize to;
-    // Degrees from the stage's front; an orbit goes from one to the other.
-    float yaw_low;
-    float yaw_high;
-    // How often it is chosen when the music is calm, as usual, full.
-    std::array<float, 3> weights;
-    float longest;   // seconds
-    bool is_of_one;  // of one dancer or two alone: more stand beside each other
-};
-
-constexpr float kAnyLength = 1e6F;
-
-// By Shot.
-constexpr std::array<ShotRule, kShots> kRules = {{
-    {"wide", ShotSize::wide, ShotSize::wide, 4, 16, {0.12F, 0.15F, 0.25F}, kAnyLength, false},
-    {"full", ShotSize::full, ShotSize::full, 4, 30, {0.20F, 0.28F, 0.32F}, kAnyLength, false},
-    {"knees up",
-     ShotSize::knees_up,
-     ShotSize::knees_up,
-     6,
-     38,
-     {0.20F, 0.22F, 0.18F},
-     kAnyLength,
-     false},
-    {"upper body",
-     ShotSize::upper_body,
-     ShotSize::upper_body,
-     6,
-     36,
-     {0.18F, 0.12F, 0.08F},
-     12.0F,
-     true},
-    {"feet", ShotSize::feet, ShotSize::feet, 10, 42, {0.02F, 0.07F, 0.08F}, 4.0F, true},
-    {"side", ShotSize::full, ShotSize::full, 58, 76, {0.08F, 0.08F, 0.07F}, 10.0F, true},
-    {"push", ShotSize::full, ShotSize::upper_body, 4, 20, {0.15F, 0.08F, 0.0F}, kAnyLength, true},
-    {"orbit", ShotSize::full, ShotSize::full, 6, 52, {0.15F, 0.15F, 0.16F}, kAnyLength, false},
-    {"low", ShotSize::low, ShotSize::low, 6, 34, {0.03F, 0.08F, 0.14F}, 12.0F, false},
-    {"face", ShotSize::face, ShotSize::face, 6, 34, {0.10F, 0.07F, 0.06F}, 5.0F, false},
-}};
-
-const ShotRule& rule_of(Shot shot) noexcept { return kRules[static_cast<std::size_t>(shot)]; }
 
 // Seconds of a shot before another may follow on the next bar line: shortest and longest, by Pace.
 constexpr std::array<glm::vec2, 3> kLengths = {{{10.0F, 15.0F}, {5.0F, 8.0F}, {3.0F, 5.0F}}};
@@ -353,7 +309,7 @@ Shot Director::choose(Pace pace, std::size_t dancers) noexcept {
                                                  : kShotRest;
         if (shot != shown_.shot && suits(shot, dancers)) {
             const bool is_rested = now_ - seen_[i] >= rest;
-            const float weight = kRules[i].weights[static_cast<std::size_t>(pace)];
+            const float weight = kShotRules[i].weights[static_cast<std::size_t>(pace)];
             weights[i] = is_rested ? weight : is_part ? 0.0F : 0.15F * weight;
         }
         sum += weights[i];

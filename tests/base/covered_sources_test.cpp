@@ -47,6 +47,7 @@ const std::map<std::string, std::string> kCovered = {
     {"training/cells/take_likeness.cpp", "GridProposal, finds_a_planted_loop"},
     {"training/cells/take_moments.cpp", "TakeMoments, mirrored_twice_are_the_same"},
     {"motion/dance/dance_content.cpp", "FigureSequence, all_figures_begin_and_end_on_the"},
+    {"motion/dance/figure_places.cpp", "FigureSequence, two_half_turns_lead_back"},
     {"motion/dance/figure_sequence.cpp", "FigureSequence, two_half_turns_lead_back"},
     {"motion/dance/inertialization.cpp", "Inertialization, starts_where_it_was_and_ends"},
     {"motion/dance/standing.cpp", "Idle, stands_with_both_feet_on_the_floor"},

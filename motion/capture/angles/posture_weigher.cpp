@@ -1,81 +1,18 @@
 #include "motion/capture/angles/posture_weigher.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "base/assert.hpp"
 #include "base/simd_clones.hpp"
-
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include "motion/capture/angles/posture_tables.hpp"
 
 namespace raks::capture {
 
 namespace {
 
 constexpr std::size_t kMostLinks = 2 * kMostJoints;
-constexpr std::size_t kMostPictures = 128;
 constexpr float kLimitCost = 50.0F;      // a radian beyond a limit, squared
 constexpr float kNearestDepth = 0.05F;   // metres from the camera
 constexpr float kEpipoleRadius = 30.0F;  // pixels around an epipole in which lines say nothing
-constexpr double kFreeTurn = 3.15;       // radians: a joint that may turn further has no limit
-
-using Vector = std::array<float, 3>;
-
-/// A link with its turn in the reference posture.
-struct TableLink {
-    std::size_t parent = 0;
-    std::size_t joint = 0;
-    std::size_t first = 0;  ///< variable
-    bool is_hinge = false;
-    Vector axis{};  ///< of a hinge, times the share
-    float share = 1.0F;
-    Vector offset{};
-    std::array<float, 4> turn{};  ///< of the reference: w, x, y, z
-    float angle = 0.0F;           ///< of a hinge in the reference
-    float lowest = 0.0F;
-    float highest = 0.0F;
-    std::array<float, 4> usual{1.0F, 0.0F, 0.0F, 0.0F};  ///< of a ball: w, x, y, z
-    float least_w = -1.0F;    ///< of a ball: cosine of half of the greatest turn of a share
-    float w_to_angle = 0.0F;  ///< radians of the whole turn to one of w, beyond that
-};
-
-/// A marker on its link.
-struct TableMarker {
-    std::size_t link = 0;
-    Vector place{};
-};
-
-/// World to picture, the first two rows times the focal length: three of a matrix, one of a move.
-using TablePicture = std::array<float, 12>;
-
-/// From one picture to another.
-struct TablePair {
-    std::array<float, 9> lines{};  ///< line in `to` of a place in `from`, row-major
-    float epipole_x = 0.0F;        ///< in `to`
-    float epipole_y = 0.0F;
-};
-
-/// a x + b y + c is the distance from a line.
-struct TableLine {
-    float a = 0.0F;
-    float b = 0.0F;
-    float c = 0.0F;
-};
-
-Vector single(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-TableLine line_through(const TablePair& pair, float x, float y) {
-    const auto row = [&](std::size_t i) {
-        return pair.lines[3 * i] * x + pair.lines[3 * i + 1] * y + pair.lines[3 * i + 2];
-    };
-    TableLine line{row(0), row(1), row(2)};
-    const float length = std::max(1e-12F, std::hypot(line.a, line.b));
-    return {line.a / length, line.b / length, line.c / length};
-}
 
 /// Eight places or vectors.
 struct LaneVector {
@@ -146,7 +83,7 @@ RAKS_LANES_INLINE void set_axes(LaneLink& link) {
                  1.0F - 2.0F * (xx + yy)};
 }
 
-RAKS_LANES_INLINE LaneVector at(const LaneLink& link, const Vector& local) {
+RAKS_LANES_INLINE LaneVector at(const LaneLink& link, const TableVector& local) {
     const auto& m = link.axes;
     return {link.place.x + (m[0] * local[0] + m[1] * local[1] + m[2] * local[2]),
             link.place.y + (m[3] * local[0] + m[4] * local[1] + m[5] * local[2]),
@@ -171,26 +108,6 @@ RAKS_LANES_INLINE Lanes limit_cost(const TableLink& link,
     return kLimitCost * beyond * beyond;
 }
 
-}  // namespace
-
-struct PostureWeigher::Tables {
-    Likelihood likelihood = Likelihood::reprojection;
-    float square_bound = 0.0F;
-    Vector hips{};
-    std::vector<TableLink> links;
-    std::vector<TableMarker> markers;
-    std::vector<TablePicture> pictures;
-    std::vector<MarkRange> ranges;  ///< by marker and picture
-    std::vector<float> mark_x;
-    std::vector<float> mark_y;
-    std::vector<TablePair> pairs;  ///< by from and to
-    std::vector<TableLine> lines;  ///< by mark and the picture it is drawn in
-};
-
-namespace {
-
-using Tables = PostureWeigher::Tables;
-
 /// Where eight postures have one marker in a picture.
 struct LanePixel {
     Lanes x;
@@ -209,7 +126,7 @@ RAKS_LANES_INLINE LanePixel seen_by(const TablePicture& picture, const LaneVecto
 }
 
 // A marker's cost in all pictures, by reprojection.
-RAKS_LANES_INLINE Lanes reprojection_cost(const Tables& tables,
+RAKS_LANES_INLINE Lanes reprojection_cost(const PostureTables& tables,
                                           std::size_t marker,
                                           const LaneVector& place) {
     const std::size_t pictures = tables.pictures.size();
@@ -239,7 +156,7 @@ struct LaneMarks {
     Lanes y;
 };
 
-RAKS_LANES_INLINE LaneMarks nearest_marks(const Tables& tables,
+RAKS_LANES_INLINE LaneMarks nearest_marks(const PostureTables& tables,
                                           const MarkRange& range,
                                           const LanePixel& pixel) {
     Lanes nearest = Lanes{} + 1e12F;
@@ -264,7 +181,7 @@ RAKS_LANES_INLINE LaneMarks nearest_marks(const Tables& tables,
 }
 
 // D^2 of the marks in picture `from` and the pixels in picture `to`.
-RAKS_LANES_INLINE Lanes pair_distance(const Tables& tables,
+RAKS_LANES_INLINE Lanes pair_distance(const PostureTables& tables,
                                       std::size_t from,
                                       std::size_t to,
                                       const LaneMarks& marks,
@@ -290,11 +207,11 @@ RAKS_LANES_INLINE Lanes pair_distance(const Tables& tables,
 }
 
 // A marker's cost in all pictures, by epipolar distances.
-RAKS_LANES_INLINE Lanes epipolar_cost(const Tables& tables,
+RAKS_LANES_INLINE Lanes epipolar_cost(const PostureTables& tables,
                                       std::size_t marker,
                                       const LaneVector& place) {
     const std::size_t pictures = tables.pictures.size();
-    std::array<LanePixel, kMostPictures> pixels;  // NOLINT: filled below
+    std::array<LanePixel, PostureTables::kMostPictures> pixels;  // NOLINT: filled below
     for (std::size_t i = 0; i < pictures; ++i) {
         pixels[i] = seen_by(tables.pictures[i], place);
     }
@@ -360,7 +277,7 @@ RAKS_LANES_INLINE void place_link(const TableLink& link,
     set_axes(here);
 }
 
-RAKS_SIMD_CLONES void weigh_block(const Tables& tables,
+RAKS_SIMD_CLONES void weigh_block(const PostureTables& tables,
                                   const JointGroup& group,
                                   const float* changes,
                                   std::size_t stride,
@@ -382,98 +299,6 @@ RAKS_SIMD_CLONES void weigh_block(const Tables& tables,
     store_lanes(cost, costs);
 }
 
-void add_links(const BodyModel& model,
-               const BodyLinks& links,
-               const BodyState& reference,
-               Tables& tables) {
-    for (const BodyLink& link : links.links) {
-        const TurningJoint& joint = model.joints()[link.joint];
-        const glm::dquat turn = model.local_turn(reference, link.joint);
-        TableLink& made = tables.links.emplace_back();
-        made.parent = link.parent;
-        made.joint = link.joint;
-        made.first = joint.first;
-        made.is_hinge = joint.is_hinge;
-        made.axis = single(link.share * joint.axis);
-        made.share = static_cast<float>(link.share);
-        made.offset = single(link.offset);
-        made.turn = {static_cast<float>(turn.w),
-                     static_cast<float>(turn.x),
-                     static_cast<float>(turn.y),
-                     static_cast<float>(turn.z)};
-        made.angle = static_cast<float>(reference.angles[link.joint]);
-        made.lowest = static_cast<float>(joint.lowest);
-        made.highest = static_cast<float>(joint.highest);
-        const double half = 0.5 * link.share * joint.highest;
-        if (!joint.is_hinge && joint.highest < kFreeTurn) {
-            const glm::dquat usual = joint.usual;
-            made.usual = {static_cast<float>(usual.w),
-                          static_cast<float>(usual.x),
-                          static_cast<float>(usual.y),
-                          static_cast<float>(usual.z)};
-            made.least_w = static_cast<float>(std::cos(half));
-            made.w_to_angle = static_cast<float>(2.0 / (link.share * std::sin(half)));
-        }
-    }
-}
-
-void add_pictures(const FrameMarks& marks, Tables& tables) {
-    for (const MarkPicture& picture : marks.pictures()) {
-        TablePicture& made = tables.pictures.emplace_back();
-        for (std::size_t row = 0; row < 3; ++row) {
-            const double scale = row < 2 ? kFocalLength : 1.0;
-            const auto r = static_cast<glm::length_t>(row);
-            for (std::size_t column = 0; column < 3; ++column) {
-                made[3 * row + column] = static_cast<float>(
-                    scale * picture.rotation[static_cast<glm::length_t>(column)][r]);
-            }
-            made[9 + row] = static_cast<float>(scale * picture.translation[r]);
-        }
-    }
-}
-
-// The essential matrix between pictures, for places times the focal length.
-TablePair pair_of(const MarkPicture& from, const MarkPicture& to) {
-    TablePair pair;
-    const glm::dmat3 turn = to.rotation * glm::transpose(from.rotation);
-    const glm::dvec3 move = to.translation - turn * from.translation;
-    for (glm::length_t column = 0; column < 3; ++column) {
-        const glm::dvec3 line = glm::cross(move, turn[column]);
-        for (glm::length_t row = 0; row < 3; ++row) {
-            const double scale =
-                (row == 2 ? kFocalLength : 1.0) / (column == 2 ? 1.0 : kFocalLength);
-            pair.lines[static_cast<std::size_t>(3 * row + column)] =
-                static_cast<float>(scale * line[row]);
-        }
-    }
-    constexpr double kFarOff = 1e6;
-    const bool is_far = std::abs(move.z) * kFarOff < kFocalLength * glm::length(move);
-    pair.epipole_x = static_cast<float>(is_far ? kFarOff : kFocalLength * move.x / move.z);
-    pair.epipole_y = static_cast<float>(is_far ? kFarOff : kFocalLength * move.y / move.z);
-    return pair;
-}
-
-void add_epipolar(const FrameMarks& marks, Tables& tables) {
-    const std::size_t pictures = marks.pictures().size();
-    for (const MarkPicture& from : marks.pictures()) {
-        for (const MarkPicture& to : marks.pictures()) {
-            tables.pairs.push_back(&from == &to ? TablePair{} : pair_of(from, to));
-        }
-    }
-    tables.lines.resize(marks.marks().size() * pictures);
-    for (std::size_t marker = 0; marker < marks.markers(); ++marker) {
-        for (std::size_t from = 0; from < pictures; ++from) {
-            const MarkRange range = marks.of(marker, from);
-            for (std::size_t k = range.first; k < range.first + range.count; ++k) {
-                for (std::size_t to = 0; to < pictures; ++to) {
-                    tables.lines[k * pictures + to] = line_through(
-                        tables.pairs[from * pictures + to], tables.mark_x[k], tables.mark_y[k]);
-                }
-            }
-        }
-    }
-}
-
 }  // namespace
 
 PostureWeigher::PostureWeigher(const BodyModel& model,
@@ -481,31 +306,9 @@ PostureWeigher::PostureWeigher(const BodyModel& model,
                                const FrameMarks& marks,
                                const BodyState& reference,
                                Likelihood likelihood,
-                               double bound) {
-    RAKS_ASSERT(marks.pictures().size() <= kMostPictures);
-    const auto tables = std::make_shared<Tables>();
-    tables->likelihood = likelihood;
-    tables->square_bound = static_cast<float>(bound * bound);
-    tables->hips = single(reference.hips);
-    add_links(model, links, reference, *tables);
-    for (const LinkedPoint& marker : links.markers) {
-        tables->markers.push_back({marker.link, single(marker.place)});
-    }
-    add_pictures(marks, *tables);
-    for (std::size_t marker = 0; marker < marks.markers(); ++marker) {
-        for (std::size_t picture = 0; picture < marks.pictures().size(); ++picture) {
-            tables->ranges.push_back(marks.of(marker, picture));
-        }
-    }
-    for (const Mark& mark : marks.marks()) {
-        tables->mark_x.push_back(static_cast<float>(mark.place.x));
-        tables->mark_y.push_back(static_cast<float>(mark.place.y));
-    }
-    if (likelihood == Likelihood::epipolar) {
-        add_epipolar(marks, *tables);
-    }
-    tables_ = tables;
-}
+                               double bound)
+    : tables_(std::make_shared<const PostureTables>(
+          posture_tables(model, links, marks, reference, likelihood, bound))) {}
 
 void PostureWeigher::weigh(const JointGroup& group,
                            const PostureChanges& changes,

@@ -12,6 +12,9 @@
 
 namespace raks::capture {
 
+/// What the loops read; motion/capture/angles/posture_tables.hpp.
+struct PostureTables;
+
 /// How a posture is compared with what was seen; c bounds what a single marker can say.
 enum class Likelihood {
     /// Sum over markers and pictures of d^2 / (d^2 + c^2), d being the distance of a marker's
@@ -70,11 +73,8 @@ class PostureWeigher {
                std::size_t first,
                float* costs) const;
 
-    /// What the loops read: plain numbers in single precision.
-    struct Tables;
-
  private:
-    std::shared_ptr<const Tables> tables_;
+    std::shared_ptr<const PostureTables> tables_;
 };
 
 }  // namespace raks::capture
