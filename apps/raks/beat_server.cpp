@@ -4,9 +4,9 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/raks/kept_window.hpp"
+#include "apps/raks/live_sound.hpp"
 #include "apps/raks/player_desk.hpp"
 #include "apps/raks/remote_desk.hpp"
-#include "apps/raks/stage_loop.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"

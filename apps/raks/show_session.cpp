@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks/live_sound.hpp"
 #include "apps/raks/opening_content.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"

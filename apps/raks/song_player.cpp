@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/raks/live_sound.hpp"
 #include "apps/raks/song_start.hpp"
 #include "apps/terminal/say.hpp"
 #include "audio/io/audio_tags.hpp"

@@ -1,13 +1,13 @@
 #include "apps/raks/stage_loop.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <span>
 #include <utility>
 
 #include "apps/raks/dance_setup.hpp"
+#include "apps/raks/live_sound.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/locked_memory.hpp"
@@ -15,7 +15,6 @@
 #include "engine/setup/dance_files.hpp"
 #include "engine/setup/user_folders.hpp"
 #include "render/avatar/avatar.hpp"
-#include "render/overlay/text_format.hpp"
 
 #include <fmt/format.h>
 
@@ -38,13 +37,6 @@ void nap(Nanos span) {
 bool is_stop_requested() { return stop_signal().has_value(); }
 
 }  // namespace
-
-// 20 characters from -60 to 0 dBFS.
-std::string level_meter(float dbfs) {
-    constexpr int kWidth = 20;
-    const auto bars = static_cast<std::size_t>(std::lround(render::meter_fraction(dbfs) * kWidth));
-    return fmt::format("[{:<{}}] {:6.1f} dBFS", std::string(bars, '#'), kWidth, dbfs);
-}
 
 Expected<StageLoop::OpenedWindow> StageLoop::open_window(const engine::Settings& settings,
                                                          const Options& options) {
@@ -485,19 +477,6 @@ void StageLoop::say_told_dance() {
         told_dance_ = music.genre;
         apps::say(fmt::format("{}, {}", dances_->name_of(music.genre), source_.teller));
     }
-}
-
-engine::LiveGraphConfig sound_config(const engine::Settings& settings) {
-    engine::LiveGraphConfig config;
-    config.buffer_seconds = settings.buffer_ms * 1e-3;
-    config.latency_offset = nanos_from_seconds(settings.latency_offset_ms * 1e-3);
-    config.pose_lead = nanos_from_seconds(settings.pose_lead_ms * 1e-3);
-    if (auto offsets = engine::DeviceOffsets::load()) {
-        config.offsets = std::move(*offsets);
-    } else {
-        complain(offsets.error().message + "; no device's offset is used");
-    }
-    return config;
 }
 
 }  // namespace raks::apps
