@@ -24,6 +24,7 @@
 #include "base/parallel.hpp"
 #include "engine/setup/settings.hpp"
 #include "motion/capture/keypoints/keypoint_doubts.hpp"
+#include "motion/capture/keypoints/still_camera.hpp"
 
 namespace raks::apps {
 namespace {
@@ -188,6 +189,9 @@ ExitCode judge(const std::vector<capture::KeypointFilm>& seen) {
         ++usable;
         for (const std::string& doubt : capture::keypoint_doubts(shares)) {
             say(fmt::format("camera {}: {}", film.camera, doubt));
+        }
+        if (const std::string moved = capture::why_not_still(film); !moved.empty()) {
+            say(fmt::format("camera {} {}", film.camera, moved));
         }
     }
     const std::size_t needed = std::min<std::size_t>(seen.size(), 2);

@@ -6,6 +6,7 @@
 #include "motion/capture/keypoints/keypoint_doubts.hpp"
 #include "motion/capture/keypoints/keypoints.hpp"
 #include "motion/capture/keypoints/pose_model_file.hpp"
+#include "motion/capture/keypoints/still_camera.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
 
@@ -20,6 +21,9 @@ bool are_sound_keypoints(const Expected<capture::KeypointFilm>& film) {
     }
     for (const capture::KeypointPicture& picture : film->pictures) {
         must(picture.score >= 0.0 && picture.score <= 1.0);
+        if (const auto& place = picture.background) {
+            must(std::isfinite(place->move.x) && std::isfinite(place->move.y) && place->size > 0.0);
+        }
         for (const capture::Keypoint& point : picture.points) {
             must(std::isfinite(point.pixel.x) && std::isfinite(point.pixel.y));
             must(point.visibility >= 0.0 && point.visibility <= 1.0);
@@ -30,6 +34,7 @@ bool are_sound_keypoints(const Expected<capture::KeypointFilm>& film) {
     for (const std::string& doubt : capture::keypoint_doubts(shares)) {
         must_be_one_line(doubt);
     }
+    must_be_one_line(capture::why_not_still(*film));
     // Written once it is rounded; from then on it reads back to the same bits.
     const std::string written = capture::keypoints_text(*film);
     const auto again = capture::read_keypoints(written, "y");

@@ -26,6 +26,9 @@ constexpr std::array<std::string_view, kBodyPoints> kBodyPointNames = {
 constexpr std::string_view kKeypointsFormat = "# raks-keypoints";
 constexpr std::size_t kPlainColumns = 4;  // picture, time, score, people
 constexpr std::size_t kKeypointColumns = kPlainColumns + 3 * kBodyPoints;
+constexpr std::string_view kBackgroundColumns = ",background_x,background_y,background_size";
+constexpr std::size_t kAllColumns = kKeypointColumns + 3;
+constexpr double kLargestGrowth = 100.0;
 constexpr double kFarthestKeypoint = 1e5;  // pixels
 constexpr double kLatestPicture = 86400.0;
 constexpr int kLargestPicture = 16384;
@@ -109,9 +112,29 @@ Expected<Keypoint> read_keypoint(const std::vector<std::string_view>& cells, std
     return Keypoint{{*x, *y}, *visibility};
 }
 
-Expected<KeypointPicture> read_picture(const std::vector<std::string_view>& cells) {
-    if (cells.size() != kKeypointColumns) {
-        return fail(fmt::format("has {} cells, needs {}", cells.size(), kKeypointColumns));
+// Of the last three cells; nothing: they are empty.
+Expected<std::optional<BackgroundPlace>> read_background(
+    const std::vector<std::string_view>& cells) {
+    const std::string_view* const cell = &cells[kKeypointColumns];
+    if (cell[0].empty() && cell[1].empty() && cell[2].empty()) {
+        return std::optional<BackgroundPlace>();
+    }
+    const auto x = number_within(cell[0], "background_x", -kFarthestKeypoint, kFarthestKeypoint);
+    const auto y = number_within(cell[1], "background_y", -kFarthestKeypoint, kFarthestKeypoint);
+    const auto size =
+        number_within(cell[2], "background_size", 1.0 / kLargestGrowth, kLargestGrowth);
+    for (const auto* const one : {&x, &y, &size}) {
+        if (!*one) {
+            return fail(one->error());
+        }
+    }
+    return std::optional(BackgroundPlace{{*x, *y}, *size});
+}
+
+Expected<KeypointPicture> read_picture(const std::vector<std::string_view>& cells,
+                                       std::size_t columns) {
+    if (cells.size() != columns) {
+        return fail(fmt::format("has {} cells, needs {}", cells.size(), columns));
     }
     const auto number = number_within(cells[0], "picture", 0.0, kLastPicture);
     const auto time = number_within(cells[1], "time", -kLatestPicture, kLatestPicture);
@@ -137,6 +160,13 @@ Expected<KeypointPicture> read_picture(const std::vector<std::string_view>& cell
         }
         picture.points[point] = *keypoint;
     }
+    if (columns == kAllColumns) {
+        auto background = read_background(cells);
+        if (!background) {
+            return fail(std::move(background.error()));
+        }
+        picture.background = *background;
+    }
     return picture;
 }
 
@@ -156,13 +186,14 @@ std::optional<BodyPoint> body_point_named(std::string_view name) noexcept {
 }
 
 std::string keypoints_text(const KeypointFilm& film) {
-    std::string text = fmt::format("{} 1 {} {} {} {}\n{}\n",
+    std::string text = fmt::format("{} 1 {} {} {} {}\n{}{}\n",
                                    kKeypointsFormat,
                                    film.width,
                                    film.height,
                                    film.network,
                                    film.camera,
-                                   head_of_keypoints());
+                                   head_of_keypoints(),
+                                   kBackgroundColumns);
     const auto out = std::back_inserter(text);
     for (const KeypointPicture& picture : film.pictures) {
         fmt::format_to(out, "{},{},{:.3f},", picture.number, picture.time, picture.score);
@@ -172,6 +203,11 @@ std::string keypoints_text(const KeypointFilm& film) {
         for (const Keypoint& point : picture.points) {
             fmt::format_to(
                 out, ",{:.2f},{:.2f},{:.3f}", point.pixel.x, point.pixel.y, point.visibility);
+        }
+        if (const auto& place = picture.background) {
+            fmt::format_to(out, ",{:.2f},{:.2f},{:.5f}", place->move.x, place->move.y, place->size);
+        } else {
+            text += ",,,";
         }
         text += '\n';
     }
@@ -188,7 +224,10 @@ Expected<KeypointFilm> read_keypoints(std::string_view text, const std::string& 
     motion::TableRows rows(text, ',');
     motion::TableRow row;
     static_cast<void>(rows.next(row));
-    if (!rows.next(row) || fmt::format("{}", fmt::join(row.cells, ",")) != head_of_keypoints()) {
+    const std::string head =
+        rows.next(row) ? fmt::format("{}", fmt::join(row.cells, ",")) : std::string();
+    const bool has_background = head == head_of_keypoints().append(kBackgroundColumns);
+    if (!has_background && head != head_of_keypoints()) {
         return fail(
             fmt::format("{}: line 2 must be picture,time,score,people,nose_x,nose_y,... "
                         "with the {} joints of BlazePose",
@@ -199,7 +238,7 @@ Expected<KeypointFilm> read_keypoints(std::string_view text, const std::string& 
         const auto fault = [&](std::string_view what) {
             return fail(fmt::format("{}: line {}: {}", file, row.number, what));
         };
-        auto picture = read_picture(row.cells);
+        auto picture = read_picture(row.cells, has_background ? kAllColumns : kKeypointColumns);
         if (!picture) {
             return fault(picture.error().message);
         }

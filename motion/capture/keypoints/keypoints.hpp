@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/expected.hpp"
+#include "motion/capture/pictures/background.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -79,6 +80,8 @@ struct KeypointPicture {
     double score = 0.0;      ///< how sure it is that somebody is there; [0, 1]. 0: nobody
     /// How many people are in the picture; nothing: it was not looked for others.
     std::optional<std::size_t> people;
+    /// Where the background is; nothing: it was not looked at, or shows too little.
+    std::optional<BackgroundPlace> background;
     std::array<Keypoint, kBodyPoints> points{};  ///< by BodyPoint; all of visibility 0: nobody
 
     [[nodiscard]] const Keypoint& operator[](BodyPoint point) const noexcept {
@@ -103,9 +106,11 @@ struct KeypointFilm {
 
 /// Keypoints of one camera as a table (`keypoints/CAMERA.csv`). First line
 /// `# raks-keypoints 1 WIDTH HEIGHT NETWORK CAMERA`, then a head, then a row a picture:
-/// picture,time,score,people,nose_x,nose_y,nose_v,... (four numbers and three a joint). `people` is
-/// empty where it was not looked for others. Pixels are written to a hundredth, visibilities and
-/// scores to a thousandth, times read back to the same bits.
+/// picture,time,score,people,nose_x,nose_y,nose_v,... (four numbers and three a joint), and
+/// background_x,background_y,background_size, which files of other programs may leave out. `people`
+/// is empty where it was not looked for others, the background's where it was not looked at. Pixels
+/// are written to a hundredth, visibilities and scores to a thousandth, sizes to a hundred
+/// thousandth, times read back to the same bits.
 [[nodiscard]] std::string keypoints_text(const KeypointFilm& film);
 /// Reads it. Errors, one line with its number: not such a file, another version, cut off, numbers
 /// that are none or not finite or out of range, pictures or times that do not go on.

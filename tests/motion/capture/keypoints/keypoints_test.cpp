@@ -34,10 +34,25 @@ std::string why_no_keypoints(const std::string& text) {
 TEST(Keypoints, read_back_to_the_same_values) {
     KeypointFilm film = some_keypoints(3);
     film.pictures[1].people = 2;
-    film.pictures[2] = {6, 0.7, 0.0, 0, {}};
+    film.pictures[1].background = BackgroundPlace{{-12.5, 3.25}, 1.03125};
+    film.pictures[2] = {6, 0.7, 0.0, 0, {}, {}};
     const auto read = read_keypoints(keypoints_text(film), "k.csv");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, film);
+}
+
+TEST(Keypoints, a_table_without_the_background_reads_too) {
+    std::string text = keypoints_text(some_keypoints(2));
+    const auto cut = [&text](const std::string& piece) {
+        for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece)) {
+            text.erase(at, piece.size() - 1);
+        }
+    };
+    cut(",background_x,background_y,background_size\n");
+    cut(",,,\n");
+    const auto read = read_keypoints(text, "k.csv");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, some_keypoints(2));
 }
 
 TEST(Keypoints, every_joint_has_a_name_of_its_own) {
@@ -62,11 +77,13 @@ TEST(Keypoints, a_bad_table_is_one_line) {
         "k.csv: line 2 must be picture,time,score,people,nose_x,nose_y,... with the 33 joints "
         "of BlazePose");
     const std::size_t last = good.rfind(",0.875");
-    EXPECT_EQ(why_no_keypoints(good.substr(0, last)), "k.csv: line 4: has 102 cells, needs 103");
-    EXPECT_EQ(why_no_keypoints(good.substr(0, last) + ",nan\n"),
+    EXPECT_EQ(why_no_keypoints(good.substr(0, last)), "k.csv: line 4: has 102 cells, needs 106");
+    EXPECT_EQ(why_no_keypoints(good.substr(0, last) + ",nan,,,\n"),
               "k.csv: line 4: its visibility of right_foot_index must be a number from 0 to 1");
-    EXPECT_EQ(why_no_keypoints(good.substr(0, last) + ",-0.5\n"),
+    EXPECT_EQ(why_no_keypoints(good.substr(0, last) + ",-0.5,,,\n"),
               "k.csv: line 4: its visibility of right_foot_index must be a number from 0 to 1");
+    EXPECT_EQ(why_no_keypoints(good.substr(0, good.size() - 4) + ",1,2,0\n"),
+              "k.csv: line 4: its background_size must be a number from 0.01 to 100");
     EXPECT_EQ(why_no_keypoints(good + good.substr(good.rfind("\n2,") + 1)),
               "k.csv: line 5: its picture or time does not come after the one before");
 }
