@@ -13,9 +13,10 @@ namespace raks {
 namespace {
 
 constexpr std::size_t kLongestName = 40;  // bytes
-// Words that options or reports use for something other than a dance.
-constexpr std::array<std::string_view, 6> kTakenNames = {
-    "auto", "keep", "stand", "unknown", "other", "none"};
+// Words that options or reports use for something other than a dance, and "dances": a dance's
+// grammar lies in NAME.toml, where a folder has its list of dances in dances.toml.
+constexpr std::array<std::string_view, 7> kTakenNames = {
+    "auto", "keep", "stand", "unknown", "other", "none", "dances"};
 
 // ASCII only, because names become parts of file names on any system.
 bool is_letter_or_digit(char c) noexcept {

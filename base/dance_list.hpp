@@ -50,8 +50,8 @@ struct DanceInfo {
 };
 
 /// Is this a valid dance name: letters, digits, '-' and '_', at most 40, a letter or digit first?
-/// Other names could leave a folder or break a file name. "auto", "keep", "stand", "unknown",
-/// "other" and "none" are refused, because options use them for something else.
+/// Other names could leave a folder or break a file name. Words that options use for something else
+/// ("auto", "none") are refused, and "dances", as the list of a folder's dances has that name.
 [[nodiscard]] bool is_dance_name(std::string_view name) noexcept;
 /// One line that quotes the name and says why it is not valid; for error messages.
 [[nodiscard]] std::string why_no_dance_name(std::string_view name);

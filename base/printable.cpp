@@ -17,7 +17,12 @@ std::size_t character_size(std::string_view text) {
     // Of ASCII with delete, and C1.
     const bool is_control = (size == 1 && (byte_at(0) < ' ' || byte_at(0) == 0x7FU)) ||
                             (size == 2 && byte_at(0) == 0xC2U && byte_at(1) < 0xA0U);
-    return is_control ? 0 : size;
+    // What ends a line or turns the direction of what follows (U+2028 to U+202E, U+2066 to U+2069):
+    // a name with one of these makes the rest of a line read as something else.
+    const bool turns_line = size == 3 && byte_at(0) == 0xE2U &&
+                            ((byte_at(1) == 0x80U && byte_at(2) >= 0xA8U && byte_at(2) <= 0xAEU) ||
+                             (byte_at(1) == 0x81U && byte_at(2) >= 0xA6U && byte_at(2) <= 0xA9U));
+    return is_control || turns_line ? 0 : size;
 }
 
 }  // namespace

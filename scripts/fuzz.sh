@@ -22,15 +22,13 @@ for reader in "${readers[@]}"; do
     learnt=build/fuzz/corpus/$reader
     mkdir -p "$learnt"
     echo "fuzz: $reader, $seconds s" >&2
-    # The shipped file of each, its seed, must fit: networks are 2 MB.
-    case "$reader" in
-        beats | genre) longest=2200000 ;;
-        *) longest=65536 ;;
-    esac
-    for seed in $(awk -v row="{\"$reader\"," 'index($0, row) { on = 1 } on { print } on && /},$/ { exit }' \
-        tests/fuzz/readers.cpp | grep -o '"[a-z]*/[^"]*"' | tr -d '"'); do
-        cp "$seed" "$learnt/"
-    done
+    # The shipped files that are seeds.
+    mapfile -t seeds < <(awk -v row="{\"$reader\"," 'index($0, row) { on = 1 } on { print } on && /},$/ { exit }' \
+        tests/fuzz/readers.cpp | { grep -o '"[a-z]*/[^"]*"' || true; } | tr -d '"')
+    [ ${#seeds[@]} -eq 0 ] || cp "${seeds[@]}" "$learnt/"
+    # Every seed must fit whole, with room to grow: shipped networks have megabytes.
+    longest=$(find "tests/fuzz/corpus/$reader" "${seeds[@]}" -type f -printf '%s\n' |
+        awk '{ if ($1 > most) most = $1 } END { most += int(most / 8); print most > 65536 ? most : 65536 }')
     # -timeout: CPU seconds of one input; memory: far more than any file of a person needs.
     nice -n 19 "build/fuzz/tests/fuzz/raks_fuzz_$reader" "$learnt" "tests/fuzz/corpus/$reader" \
         -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2000 -max_len="$longest" \

@@ -5,6 +5,7 @@
 
 #include "apps/raks/commands.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "engine/show/avatar_files.hpp"
@@ -77,10 +78,10 @@ Expected<render::Model> model_of(const AvatarExportArguments& arguments, const P
                               : render::load_model(file);
 }
 
-/// Which part is which bone, for Raks and for people.
-Expected<void> write_labels(const render::Model& model,
-                            const std::vector<std::string>& names,
-                            const Path& output) {
+/// Which part is which bone, for Raks and for people; no text: of none it is known.
+NamedFile labels_of(const render::Model& model,
+                    const std::vector<std::string>& names,
+                    const Path& output) {
     std::vector<render::BoneLabel> labels;
     const auto& bones = model.character.humanoid.nodes;
     for (std::size_t i = 0; i < bones.size(); ++i) {
@@ -91,41 +92,48 @@ Expected<void> write_labels(const render::Model& model,
     }
     Path file = output;
     file.replace_extension(".labels.toml");
-    return labels.empty() ? Expected<void>() : write_file(file, render::bone_labels_text(labels));
+    return {file, labels.empty() ? std::string() : render::bone_labels_text(labels)};
 }
 
-/// Its parts; pictures, and the labels of a figure's bones, go beside it.
-Expected<std::string> tds_of(const render::Model& model, const Path& output) {
+/// Its parts; before them its pictures and the labels of a figure's bones, which go beside it.
+Expected<std::vector<NamedFile>> tds_of(const render::Model& model, const Path& output) {
     auto made = render::tds_export(model, output.stem().string());
     if (!made) {
         return fail(made.error());
     }
+    std::vector<NamedFile> files;
     for (const render::TdsPicture& picture : made->pictures) {
-        const std::string_view bytes(reinterpret_cast<const char*>(picture.bytes.data()),
-                                     picture.bytes.size());
-        if (auto written = write_file(output.parent_path() / picture.name, bytes); !written) {
-            return fail(written.error());
-        }
+        files.push_back(
+            {output.parent_path() / picture.name,
+             {reinterpret_cast<const char*>(picture.bytes.data()), picture.bytes.size()}});
     }
-    if (auto written = write_labels(model, made->node_names, output); !written) {
-        return fail(written.error());
+    if (NamedFile labels = labels_of(model, made->node_names, output); !labels.bytes.empty()) {
+        files.push_back(std::move(labels));
     }
-    return std::move(made->bytes);
+    files.push_back({output, std::move(made->bytes)});
+    return files;
 }
 
-/// Its mesh at rest; its materials go into a file beside it.
-Expected<std::string> obj_of(const render::Model& model, const Path& output) {
+/// Its mesh at rest; before it its materials, which go into a file beside it.
+std::vector<NamedFile> obj_of(const render::Model& model, const Path& output) {
     Path materials = output;
     materials.replace_extension(".mtl");
-    if (auto written = write_file(materials, render::mtl_text(model)); !written) {
-        return fail(written.error());
-    }
     const render::AvatarRig rig = render::build_rig(model);
-    return render::obj_text(
+    std::string mesh = render::obj_text(
         model, rig, render::RigState(rig), model.name, materials.filename().string());
+    return {{materials, render::mtl_text(model)}, {output, std::move(mesh)}};
 }
 
-Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Path& file) {
+Expected<std::vector<NamedFile>> one_file(const Path& output, Expected<std::string> bytes) {
+    if (!bytes) {
+        return fail(std::move(bytes.error()));
+    }
+    return std::vector<NamedFile>{{output, std::move(*bytes)}};
+}
+
+/// What is to be written, the model itself last.
+Expected<std::vector<NamedFile>> files_of(const AvatarExportArguments& arguments,
+                                          const Path& file) {
     auto model = model_of(arguments, file);
     if (!model) {
         return fail(model.error());
@@ -142,13 +150,14 @@ Expected<std::string> bytes_of(const AvatarExportArguments& arguments, const Pat
         return tds_of(*model, arguments.output);
     }
     if (ending == ".glb") {
-        return render::glb_bytes(*model);
+        return one_file(arguments.output, render::glb_bytes(*model));
     }
     if (auto complete = complete_licence(arguments, *model); !complete) {
         return fail(std::move(complete.error()).in(shown));
     }
     auto bytes = render::vrm_bytes(*model);
-    return bytes ? bytes : fail(std::move(bytes.error()).in(shown));
+    return bytes ? one_file(arguments.output, std::move(bytes))
+                 : fail(std::move(bytes.error()).in(shown));
 }
 
 }  // namespace
@@ -166,14 +175,18 @@ ExitCode avatar_export(const AvatarExportArguments& arguments) {
     if (auto possible = check_output(arguments.output, {*file}); !possible) {
         return fail(possible.error());
     }
-    const auto bytes = bytes_of(arguments, *file);
-    if (!bytes) {
-        return fail(bytes.error());
+    const auto files = files_of(arguments, *file);
+    if (!files) {
+        return fail(files.error());
     }
-    if (auto written = write_file(arguments.output, *bytes); !written) {
-        return fail(written.error());
+    // What goes beside the model may have the name of labels that the command has read.
+    const std::vector<Path> read = {*file, engine::find_labels(*file, arguments.options.labels)};
+    for (const NamedFile& written : *files) {
+        if (auto possible = check_is_no_input(written.path, read); !possible) {
+            return fail(possible.error());
+        }
     }
-    return kExitDone;
+    return exit_code_of(write_files(*files));
 }
 
 }  // namespace raks::apps

@@ -134,12 +134,10 @@ ParsedCommand parse_arguments(int argc, char** argv) {
 
 // NOLINTNEXTLINE(bugprone-exception-escape): std::function takes these two words without allocating
 int main(int argc, char** argv) {
-    // Signals are caught only when a command runs: parsing ends as usual.
     const auto parse = [argc, argv] {
         raks::apps::ParsedCommand command = raks::apps::parse_arguments(argc, argv);
         if (command.run) {
             raks::apps::silence_libraries();
-            raks::apps::catch_signals();
         }
         return command;
     };

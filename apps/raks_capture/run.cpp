@@ -1,6 +1,4 @@
 // `raks capture run`: every step that is missing or older than what it is made from.
-#include "base/toml_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 #include "apps/raks_capture/capture_plan.hpp"
 #include "apps/raks_capture/capture_steps.hpp"
 #include "apps/raks_capture/learning_line.hpp"
+#include "apps/raks_capture/sync_report.hpp"
 #include "apps/raks_capture/track_doubts.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
@@ -69,14 +68,12 @@ Expected<std::optional<double>> song_offset(const CapturePlan& plan) {
         return std::optional<double>();
     }
     const auto text = read_text_file(file, kMostSongBytes);
-    const auto root = text ? parse_toml(*text, file.string()) : fail(text.error());
+    const auto song = text ? read_music(*text, file.string()) : fail(text.error());
     const auto tracks = load_tracks(plan.folder);
-    if (!root || !tracks) {
-        return fail(root ? tracks.error() : root.error());
+    if (!song || !tracks) {
+        return fail(song ? tracks.error() : song.error());
     }
-    const auto begins = (*root)["begins"].value<double>();
-    const double drift = (*root)["drift_ppm"].value_or(0.0);
-    return begins ? std::optional((tracks->first_time - *begins) / (1.0 + drift * 1e-6)) : begins;
+    return std::optional(song->song_time(tracks->first_time));
 }
 
 // The song with its beats; nothing: none was heard.

@@ -17,6 +17,7 @@
 #include "apps/terminal/say.hpp"
 #include "audio/io/audio_file.hpp"
 #include "base/dice.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "motion/capture/camera/rig_file.hpp"
@@ -413,8 +414,9 @@ ExitCode simulate(const SimulateArguments& arguments) {
         made = write_plan(arguments, folder->part(), take, *rig);
     }
     if (!made) {
-        return stop_signal() ? ExitCode(exit_code_after_signals(kExitDone))
-                             : fail(std::move(made.error()));
+        return stop_signal()
+                   ? ExitCode(exit_code_after_signals(kExitDone))
+                   : fail(named_as(arguments.output, folder->part(), std::move(made.error())));
     }
     if (auto done = folder->commit(); !done) {
         return fail(std::move(done.error()));

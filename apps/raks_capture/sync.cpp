@@ -16,6 +16,7 @@
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/file.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 
 namespace raks::apps {
@@ -171,11 +172,12 @@ Expected<void> write_clocks(const SyncArguments& arguments,
     if (arguments.is_of_boards) {
         return write_file(folder / "board_clocks.toml", capture::clocks_text(result.clocks()));
     }
-    auto written = write_file(folder / "clocks.toml", capture::clocks_text(result.clocks()));
-    if (written && result.song) {
-        written = write_file(folder / "music.toml", music_text(*result.song, plan));
+    std::vector<NamedFile> files = {
+        {folder / "clocks.toml", capture::clocks_text(result.clocks())}};
+    if (result.song) {
+        files.push_back({folder / "music.toml", music_text(*result.song, plan)});
     }
-    return written;
+    return write_files(files);
 }
 
 }  // namespace

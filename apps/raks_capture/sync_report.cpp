@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -126,6 +127,28 @@ std::string music_text(const SongSync& clock, const SyncPlan& plan) {
         clock.line.drift_ppm,
         clock.confidence,
         clock.song_time(0.0));
+}
+
+Expected<SongSync> read_music(std::string_view text, const std::string& file) {
+    constexpr std::array<std::string_view, 7> kKeys = {
+        "format", "version", "file", "begins", "drift_ppm", "confidence", "offset"};
+    constexpr double kLongestWait = 86400.0;  // seconds
+    constexpr double kMostDrift = 5000.0;     // ppm
+    const Expected<toml::table> root = parse_toml(text, file);
+    if (!root) {
+        return fail(root.error());
+    }
+    TomlComplaints complaints(file);
+    complaints.check_head(*root, "raks-music", 1);
+    complaints.check_keys(*root, kKeys);
+    SongSync song;
+    song.confidence = 1.0;
+    if (const toml::node* const begins = complaints.needed(*root, "begins", "begins = SECONDS")) {
+        song.line.offset = complaints.number(*begins, "begins", {-kLongestWait, kLongestWait});
+    }
+    complaints.read(*root, "drift_ppm", {-kMostDrift, kMostDrift}, song.line.drift_ppm);
+    complaints.read(*root, "confidence", {0.0, 1.0}, song.confidence);
+    return complaints.is_sound() ? Expected<SongSync>(song) : fail(complaints.fault());
 }
 
 }  // namespace raks::apps

@@ -266,7 +266,7 @@ Expected<SyncResult> synchronise(const SyncPlan& plan,
     }
     for (const capture::Clock& clock : plan.by_hand) {
         if (std::find(names.begin(), names.end(), clock.camera) == names.end()) {
-            return fail(unknown_name("a clock is set for the camera", clock.camera, names));
+            return fail("clocks set by hand: " + unknown_name("camera", clock.camera, names));
         }
     }
     return Synchronisation(plan, progress).run();

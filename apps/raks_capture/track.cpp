@@ -18,6 +18,7 @@
 #include "apps/raks_capture/tracking_step.hpp"
 #include "apps/terminal/program.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "motion/capture/camera/rig_file.hpp"
 #include "motion/capture/markers/track_c3d.hpp"
@@ -28,41 +29,38 @@
 namespace raks::apps {
 namespace {
 
-Expected<void> write_files(const CapturePlan& plan,
-                           const std::vector<std::pair<const char*, std::string>>& files) {
-    for (const auto& [name, text] : files) {
-        if (auto written = write_file(plan.file(name), text); !written) {
-            return written;
-        }
-    }
-    return {};
-}
-
 // Those of an earlier method are of other tracks.
 void drop_angles(const CapturePlan& plan) {
     std::error_code problem;
     std::filesystem::remove(plan.file("angles.csv"), problem);
 }
 
+// `angles`: of a body that was followed as a whole.
 Expected<void> write_tracks(const CapturePlan& plan,
-                            const TrackingGiven& given,
-                            const FollowedMarkers& followed) {
-    const capture::Tracks& tracks = followed.stages.smoothed;
-    std::vector<std::pair<const char*, std::string>> files = {
-        {"flags.tsv", capture::flags_text(tracks)},
-        {"moved.tsv", capture::moves_text(followed.stages.moves)},
-        {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
-        {"tracks.c3d", capture::c3d_bytes(tracks)}};
-    if (followed.angles) {
-        files.emplace_back("angles.csv",
-                           capture::angles_text(*followed.angles, given.angles->body));
-    }
-    if (!followed.angles) {
-        drop_angles(plan);
+                            const capture::Tracks& tracks,
+                            const std::string& moves,
+                            const std::optional<std::string>& angles) {
+    std::vector<NamedFile> files = {
+        {plan.file("flags.tsv"), capture::flags_text(tracks)},
+        {plan.file("moved.tsv"), moves},
+        {plan.file("tracks.trc"), capture::trc_text(tracks, "tracks.trc")},
+        {plan.file("tracks.c3d"), capture::c3d_bytes(tracks)}};
+    if (angles) {
+        files.push_back({plan.file("angles.csv"), *angles});
     }
     // Last: what follows from it is not older than the others.
-    files.emplace_back("tracks.csv", capture::tracks_text(tracks));
-    return write_files(plan, files);
+    files.push_back({plan.file("tracks.csv"), capture::tracks_text(tracks)});
+    auto written = write_files(files);
+    if (written && !angles) {
+        drop_angles(plan);
+    }
+    return written;
+}
+
+std::optional<std::string> angles_of(const TrackingGiven& given, const FollowedMarkers& followed) {
+    return followed.angles
+               ? std::optional(capture::angles_text(*followed.angles, given.angles->body))
+               : std::nullopt;
 }
 
 // How far each stage is from the truth.
@@ -262,13 +260,7 @@ ExitCode track_joints(const CapturePlan& plan, const TrackArguments& arguments) 
     for (const std::string& line : followed->lines) {
         say(line);
     }
-    drop_angles(plan);
-    const auto written = write_files(plan,
-                                     {{"flags.tsv", capture::flags_text(tracks)},
-                                      {"moved.tsv", capture::moves_text({})},
-                                      {"tracks.trc", capture::trc_text(tracks, "tracks.trc")},
-                                      {"tracks.c3d", capture::c3d_bytes(tracks)},
-                                      {"tracks.csv", capture::tracks_text(tracks)}});
+    const auto written = write_tracks(plan, tracks, capture::moves_text({}), std::nullopt);
     if (written) {
         say(summary_of(tracks));
     }
@@ -317,7 +309,11 @@ ExitCode track(const TrackArguments& arguments) {
     }
     const double cpu = cpu_seconds() - cpu_before;
     const capture::TrackerStages& stages = followed->stages;
-    if (auto written = write_tracks(*plan, *given, *followed); !written) {
+    if (auto written = write_tracks(*plan,
+                                    stages.smoothed,
+                                    capture::moves_text(stages.moves),
+                                    angles_of(*given, *followed));
+        !written) {
         return fail(std::move(written.error()));
     }
     say_what_came(*given, *followed, cpu);

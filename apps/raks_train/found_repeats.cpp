@@ -8,7 +8,7 @@
 #include "apps/reports/repeat_page.hpp"
 #include "apps/reports/text_table.hpp"
 #include "apps/terminal/say.hpp"
-#include "base/pending_file.hpp"
+#include "base/file_set.hpp"
 #include "base/printable.hpp"
 #include "motion/figures/label_tables.hpp"
 #include "training/discovery/proposal_check.hpp"
@@ -191,11 +191,9 @@ Expected<void> propose(const TrainFigureArguments& arguments,
     const std::vector<motion::FigureLabel> labels = found->labels(plan);
     const Path page = page_beside(arguments.propose);
     if (auto written =
-            write_file(arguments.propose, motion::labels_text(labels, remarks_of(arguments)));
+            write_files({{page, draw_repeats(*found, plan.figure)},
+                         {arguments.propose, motion::labels_text(labels, remarks_of(arguments))}});
         !written) {
-        return written;
-    }
-    if (auto written = write_file(page, draw_repeats(*found, plan.figure)); !written) {
         return written;
     }
     print_text(found_lines(*found));

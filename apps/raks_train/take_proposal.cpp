@@ -12,6 +12,7 @@
 #include "apps/raks_train/found_repeats.hpp"
 #include "apps/reports/grid_page.hpp"
 #include "apps/terminal/say.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "base/printable.hpp"
 #include "training/cells/grid_cues.hpp"
@@ -83,12 +84,10 @@ Expected<void> write_proposal(const TrainTakeArguments& arguments, const Propose
     const std::vector<std::string> remarks = {
         "Beats that raks proposes, to be set right: raks stick CLIP --counts " +
         arguments.propose.filename().string() + " --edit"};
-    if (auto written = write_file(arguments.propose, motion::grids_text(all.grids, remarks));
-        !written) {
-        return written;
-    }
     const Path page = page_beside(arguments.propose);
-    if (auto written = write_file(page, grid_page(all.page)); !written) {
+    if (auto written = write_files({{page, grid_page(all.page)},
+                                    {arguments.propose, motion::grids_text(all.grids, remarks)}});
+        !written) {
         return written;
     }
     say(

@@ -157,38 +157,8 @@ namespace {
 }  // namespace
 
 namespace {
+
 std::atomic<bool> g_has_come_back{false};  // what was to run has ended
-}  // namespace
-
-// The outermost frame: no exception leaves the program as a crash.
-int run_program(const std::function<ParsedCommand()>& parse) {
-    std::set_terminate(end_by_exception);
-    // What Mesa prints would stand between our lines, which say the same.
-    ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // NOLINT(concurrency-mt-unsafe): no other thread yet
-    try {
-        const ParsedCommand command = parse();
-        if (!command.run) {
-            return end_with(command.exit_code);
-        }
-        const ExitCode code = command.run();
-        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
-        if (is_any_child_uncaged()) {
-            say_detail(
-                "filters of system calls (seccomp) are refused here: what others made is read by "
-                "children with limits alone");
-        }
-        return code ? end_with(*code) : report(code.error().message);
-    } catch (const std::bad_alloc&) {
-        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
-        return report("out of memory");
-    } catch (const std::exception& error) {
-        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
-        return report(std::string("internal error: ") + error.what());
-    }
-}
-
-namespace {
-
 std::atomic<int> g_signal{0};
 std::atomic<int> g_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free, "used inside a signal handler");
@@ -300,10 +270,8 @@ void end_by_library() {
     end_now();
 }
 
-}  // namespace
-
 // SIGXFSZ and SIGPIPE are ignored, so that the write that caused them fails with an error that is
-// reported.
+// reported. Starts a thread.
 void catch_signals() noexcept {
     sem_init(&g_signals, 0, 0);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -315,6 +283,37 @@ void catch_signals() noexcept {
     std::atexit(end_by_library);
     // Its end is the process's.
     std::thread(end_in_time).detach();
+}
+
+}  // namespace
+
+// The outermost frame: no exception leaves the program as a crash.
+int run_program(const std::function<ParsedCommand()>& parse) {
+    std::set_terminate(end_by_exception);
+    // What Mesa prints would stand between our lines, which say the same.
+    ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // NOLINT(concurrency-mt-unsafe): no other thread yet
+    try {
+        const ParsedCommand command = parse();
+        if (!command.run) {
+            return end_with(command.exit_code);
+        }
+        // Only now: parsing ends as usual.
+        catch_signals();
+        const ExitCode code = command.run();
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: orders nothing
+        if (is_any_child_uncaged()) {
+            say_detail(
+                "filters of system calls (seccomp) are refused here: what others made is read by "
+                "children with limits alone");
+        }
+        return code ? end_with(*code) : report(code.error().message);
+    } catch (const std::bad_alloc&) {
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
+        return report("out of memory");
+    } catch (const std::exception& error) {
+        g_has_come_back.store(true, std::memory_order_relaxed);  // relaxed: as above
+        return report(std::string("internal error: ") + error.what());
+    }
 }
 
 EndAtOnceOnSignals::EndAtOnceOnSignals() noexcept {

@@ -40,16 +40,15 @@ struct ParsedCommand {
 
 /// Parses the command line and runs the command. Errors, lack of memory and exceptions become one
 /// line on stderr. Standard output is flushed; when that fails, as on a full disk, the command has
-/// failed. Returns the process' exit code. Threads: main.
+/// failed. Returns the process' exit code.
+///
+/// While the command runs SIGINT, SIGTERM and SIGHUP (the terminal was closed) are noted instead of
+/// ending the process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write.
+/// A command looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a
+/// second signal, the process ends and what is half-written is removed (base/pending_file.hpp). A
+/// fault of a library, or its exit() of the whole program, is said in one line. Threads: main,
+/// once.
 [[nodiscard]] int run_program(const std::function<ParsedCommand()>& parse);
-
-/// From here on SIGINT, SIGTERM and SIGHUP (the terminal was closed) are noted instead of ending
-/// the process, SIGXFSZ (a file grew over its limit) and SIGPIPE become errors of the write. A
-/// command looks at stop_signal() and ends by itself; where it has not within 0.7 s, or at a second
-/// signal, the process ends and what is half-written is removed (base/pending_file.hpp). Starts a
-/// thread. A fault of a library, or its exit() of the whole program, is said in one line. Threads:
-/// main, once.
-void catch_signals() noexcept;
 
 /// While one lives, these signals end the process at once, with the exit code that they always
 /// have: for long work of which nothing is kept, such as loading. (Without one they are noted, and

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "motion/cells/cell_file.hpp"
 
@@ -106,15 +107,6 @@ fs::path figure_path(const fs::path& folder,
 
 namespace {
 
-// What is said of a copy is meant of the folder.
-Error named_as(const fs::path& folder, const fs::path& copy, Error error) {
-    const std::string name = copy.string();
-    if (const std::size_t at = error.message.find(name); at != std::string::npos) {
-        error.message.replace(at, name.size(), folder.string());
-    }
-    return error;
-}
-
 Expected<void> add_files(const fs::path& folder,
                          const DanceInfo& dance,
                          std::span<const LearntFigure> figures,
@@ -140,6 +132,7 @@ Expected<void> add_files(const fs::path& folder,
 Expected<void> change_folder(const fs::path& folder,
                              const std::function<Expected<void>(const fs::path&)>& change) {
     std::error_code ignored;
+    const bool was_there = fs::exists(folder, ignored);
     auto whole = fs::equivalent(folder, fs::current_path(ignored), ignored)
                      ? Expected<PendingFile>(fail("it is the current folder"))
                      : PendingFile::create_changed_folder(folder);
@@ -148,6 +141,9 @@ Expected<void> change_folder(const fs::path& folder,
         return made ? change(folder) : made;
     }
     if (auto changed = change(whole->part()); !changed) {
+        if (!was_there) {
+            fs::remove(folder, ignored);  // it was made to be changed, and is empty
+        }
         return fail(named_as(folder, whole->part(), std::move(changed.error())));
     }
     return whole->commit() ? Expected<void>() : change(folder);

@@ -1,5 +1,8 @@
 #include "engine/show/pose_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <cmath>
 #include <vector>
@@ -8,7 +11,6 @@
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +45,13 @@ Expected<const Json*> find_pose(const Json& document, std::string_view name) {
     std::vector<std::string_view> names;
     for (const auto& item : poses->items()) {
         names.emplace_back(item.key());
+    }
+    if (names.empty()) {
+        return fail("holds no poses");
+    }
+    if (name.empty()) {
+        return fail(fmt::format("holds several poses: name one as FILE#NAME: {}",
+                                printable(fmt::format("{}", fmt::join(names, ", ")), 300)));
     }
     const auto found = poses->find(std::string(name));
     if (found == poses->end()) {

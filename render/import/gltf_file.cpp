@@ -63,9 +63,9 @@ Expected<JsonDocument> parse_json(std::string_view text, Model& model) {
         warn(model, "has zero bytes after its JSON");
     }
     if (text.size() > kLongestJson) {
-        return fail(fmt::format(
-            "its JSON is larger than {} MiB; keep buffers and images in files beside it",
-            kLongestJson >> 20U));
+        return fail(
+            fmt::format("has more than {} MiB of JSON; keep buffers and images in files beside it",
+                        kLongestJson >> 20U));
     }
     return JsonDocument::parse(text);
 }

@@ -406,7 +406,7 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text) {
     }
     const auto error = parsed->parser.parse(text.data(), text.size()).get(parsed->root);
     if (error == simdjson::DEPTH_ERROR) {
-        return fail(fmt::format("its JSON is nested deeper than {} levels", kDeepestJson));
+        return fail(fmt::format("has JSON that is nested deeper than {} levels", kDeepestJson));
     }
     if (error != simdjson::SUCCESS) {
         return fail(fmt::format("is not JSON: {}", simdjson::error_message(error)));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 #include "render/video/png.hpp"
 #include "render/video/straight_alpha.hpp"
@@ -45,7 +46,7 @@ class PictureFolder final : public VideoWriter {
         auto written =
             write_png(folder_.part() / name.data(), options_.width, options_.height, rgba);
         if (!written) {
-            return give_up(std::move(written.error()));
+            return give_up(named_as(path_, folder_.part(), std::move(written.error())));
         }
         if (++pictures_ == 1) {
             folder_.keep_from_here();

@@ -125,8 +125,18 @@ TEST(DanceList, names_are_parts_of_files_names_on_any_system) {
     for (const char* const good : {"tango", "Tango-2", "a", "west_coast_swing", "2step"}) {
         EXPECT_TRUE(is_dance_name(good)) << good;
     }
-    for (const std::string bad :
-         {"", "..", "a/b", "a b", "tängo", "-x", "auto", "unknown", "a.toml", "con\n", "a\\b"}) {
+    for (const std::string bad : {"",
+                                  "..",
+                                  "a/b",
+                                  "a b",
+                                  "tängo",
+                                  "-x",
+                                  "auto",
+                                  "unknown",
+                                  "dances",
+                                  "a.toml",
+                                  "con\n",
+                                  "a\\b"}) {
         EXPECT_FALSE(is_dance_name(bad)) << bad;
     }
     EXPECT_FALSE(is_dance_name(std::string(41, 'a')));
@@ -141,6 +151,7 @@ TEST(DanceList, names_are_made_of_any_text) {
         {"west_coast-swing", "west_coast-swing"},
         {"täng\xC3\xB6", "t_ng"},
         {"auto", "dance_auto"},
+        {"dances", "dance_dances"},
         {"\xE8\x88\x9E", "dance"},
         {"", "dance"},
     };

@@ -1,4 +1,5 @@
 #include "base/file.hpp"
+#include "base/file_set.hpp"
 #include "base/pending_file.hpp"
 
 #include <fcntl.h>
@@ -140,6 +141,28 @@ TEST_F(FileTest, a_full_disk_leaves_the_old_file_and_no_part) {
     EXPECT_NE(result.error().message.find("File too large"), std::string::npos);
     EXPECT_EQ(read_file(folder_ / "x").value(), "old");
     EXPECT_EQ(count(), 1) << "no part is left";
+}
+
+TEST_F(FileTest, of_files_that_belong_together_all_appear_or_none) {
+    ASSERT_TRUE(write_files({{folder_ / "x.mtl", "old"}, {folder_ / "x.obj", "old"}}));
+    // The second one cannot be made, so the first one stays as it was.
+    const auto half =
+        write_files({{folder_ / "x.mtl", "new"}, {folder_ / "none" / "x.obj", "new"}});
+    ASSERT_FALSE(half);
+    EXPECT_NE(half.error().message.find("x.obj"), std::string::npos);
+    EXPECT_EQ(read_file(folder_ / "x.mtl").value(), "old");
+    EXPECT_EQ(count(), 2) << "no part is left";
+    ASSERT_TRUE(write_files({{folder_ / "x.mtl", "new"}, {folder_ / "x.obj", "new"}}));
+    EXPECT_EQ(read_file(folder_ / "x.mtl").value(), "new");
+    EXPECT_EQ(read_file(folder_ / "x.obj").value(), "new");
+    EXPECT_EQ(count(), 2);
+}
+
+TEST(NamedAs, what_is_said_of_a_part_is_said_of_the_file_that_was_asked_for) {
+    EXPECT_EQ(named_as("a/pics", "a/pics.x1y2z3.part", Error{"a/pics.x1y2z3.part/1.png: no room"})
+                  .message,
+              "a/pics/1.png: no room");
+    EXPECT_EQ(named_as("a/pics", "a/pics.x1y2z3.part", Error{"b: no room"}).message, "b: no room");
 }
 
 TEST_F(FileTest, what_others_have_beside_it_is_not_touched) {

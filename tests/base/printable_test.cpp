@@ -19,6 +19,14 @@ TEST(Printable, what_would_break_the_line_or_the_terminal_is_shown_as_a_question
     EXPECT_EQ(printable("\xc2\x9b"), "??");  // a control character of two bytes
 }
 
+TEST(Printable, what_turns_the_direction_of_a_line_or_ends_it_does_not_come_through) {
+    EXPECT_EQ(printable("song\u202e3pm.exe"), "song???3pm.exe");
+    EXPECT_EQ(printable("a\u2028b\u2029c\u2066d\u2069e"), "a???b???c???d???e");
+    // Its neighbours are letters, marks and dashes of names.
+    EXPECT_EQ(printable("\u2014\u2027\u202f\u2065\u206a\u05d0\u200f"),
+              "\u2014\u2027\u202f\u2065\u206a\u05d0\u200f");
+}
+
 TEST(Printable, bytes_that_are_not_utf8_do_not_come_through) {
     EXPECT_EQ(printable("a\xff"), "a?");
     EXPECT_EQ(printable("\xc3"), "?");                 // cut off

@@ -111,6 +111,21 @@ TEST_F(Avatar, as_3ds_brings_its_pictures_and_dances_by_the_labels_beside_it) {
     EXPECT_EQ(shown.err, "");
 }
 
+TEST_F(Avatar, export_writes_no_labels_over_those_that_it_reads) {
+    fs::copy_file(kModels / "RiggedFigure.glb", path("me.glb"));
+    // These are found by themselves, as they lie beside the model.
+    const std::string labels =
+        "format = \"raks-avatar-labels\"\nversion = 1\n[bones]\nhips = \"torso_joint_1\"\n";
+    ASSERT_TRUE(write_file(path("me.labels.toml"), labels));
+    expect_one_line({"avatar", "export", path("me.3ds"), "--from", path("me.glb")},
+                    1,
+                    "me.labels.toml: is what is to be read; write to another name");
+    EXPECT_EQ(*read_file(path("me.labels.toml"), 4096), labels);
+    EXPECT_FALSE(fs::exists(path("me.3ds")));
+    EXPECT_EQ(run({"avatar", "export", path("you.3ds"), "--from", path("me.glb")}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(path("you.labels.toml")));
+}
+
 TEST_F(Avatar, the_mannequin_is_exported_where_no_other_is_named) {
     const std::string vrm = path("x.vrm");
     EXPECT_EQ(run({"avatar", "export", vrm}).exit_code, 0);

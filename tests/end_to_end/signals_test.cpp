@@ -13,6 +13,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file.hpp"
@@ -24,6 +25,9 @@
 
 namespace raks::test {
 namespace {
+
+const std::string kSoundfont =
+    std::string(RAKS_SOURCE_DIR) + "/tests/fuzz/corpus/soundfont/tiny.sf2";
 
 /// What a process has computed so far.
 double cpu_seconds(pid_t pid) {
@@ -41,11 +45,27 @@ class Signals : public ProgramTest {
  protected:
     /// Commands that would run for many seconds.
     [[nodiscard]] std::vector<std::vector<std::string>> long_commands() const {
-        return {{"synth", "salsa", "-o", path("x.wav"), "--duration", "3600"},
-                {"stick", path("tango.toml"), "-o", path("x.png")},
-                {"eval", "dance"},
-                {"bench", "analysis", "--duration", "600"},
-                {"play", path("song.wav"), "--headless", "--no-sound"}};
+        std::vector<std::vector<std::string>> commands = {
+            {"synth", "salsa", "-o", path("x.wav"), "--duration", "3600"},
+            {"stick", path("tango.toml"), "-o", path("x.png")},
+            {"eval", "dance"},
+            {"bench", "analysis", "--duration", "600"},
+            {"play", path("song.wav"), "--headless", "--no-sound"},
+            // Of the programs that raks starts in its place.
+            {"train",
+             "genre",
+             "--synthesize",
+             "2000",
+             "--soundfont",
+             kSoundfont,
+             "-o",
+             path("x.json")}};
+        if (!std::string_view(RAKS_CAPTURE_PROGRAM).empty()) {
+            const std::filesystem::path clip = std::filesystem::path(RAKS_SOURCE_DIR) / "tests" /
+                                               "data" / "bvh" / "dance" / "own_dance.bvh";
+            commands.push_back({"capture", "simulate", clip.string(), "-o", path("capture")});
+        }
+        return commands;
     }
     void SetUp() override {
         audio::MusicPlan plan;

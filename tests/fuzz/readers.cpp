@@ -11,6 +11,7 @@ std::span<const Reader> readers() {
         {"settings", read_settings, {"config/default.toml"}, 2000},
         {"devices", read_devices, {}, 2000},
         {"preset", read_preset, {}, 2000},
+        {"theme", read_theme, {"config/themes/club.toml", "config/themes/dance_floor.toml"}, 2000},
         {"window_memory", read_window_memory, {}, 2000},
         {"kdeglobals", read_kdeglobals, {}, 2000},
         {"dances", read_dances, {"models/trained/dances.toml"}, 2000},
@@ -73,6 +74,7 @@ std::span<const Reader> readers() {
         {"qualisys_rig", read_qualisys_file, {}, 1000},
 #ifdef RAKS_CAPTURE_IS_BUILT
         {"capture_plan", read_capture_plan, {}, 2000},
+        {"capture_song", read_capture_song, {}, 2000},
         {"calibration_choices", read_calibration_choices, {}, 2000},
 #endif
         {"marker_set", read_marker_set_file, {}, 1000},

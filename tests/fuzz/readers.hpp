@@ -33,7 +33,8 @@ struct Reader {
 
 /// What each reader does; definitions in readers_*.cpp. True: the text was good.
 bool read_settings(std::string_view text);
-bool read_devices(std::string_view text);        ///< what `raks calibrate` keeps
+bool read_devices(std::string_view text);  ///< what `raks calibrate` keeps
+bool read_theme(std::string_view text);
 bool read_preset(std::string_view text);         ///< and puts it over settings; and writes it again
 bool read_window_memory(std::string_view text);  ///< likewise
 bool read_kdeglobals(std::string_view text);     ///< of the desktop
@@ -91,6 +92,7 @@ bool read_rig_file(std::string_view text);             ///< of any program; and 
 bool read_easymocap_files(std::string_view text);      ///< both, with a line "=====" between
 bool read_qualisys_file(std::string_view text);        ///< its XML; and writes it as our own
 bool read_capture_plan(std::string_view text);         ///< capture.toml; and writes it again
+bool read_capture_song(std::string_view text);         ///< music.toml
 bool read_calibration_choices(std::string_view text);  ///< and writes them again
 bool read_marker_set_file(std::string_view text);      ///< likewise, as those that follow
 bool read_body_model_file(std::string_view text);      ///< joints; and writes them again

@@ -15,6 +15,7 @@
 #include "motion/choreography/figure_measures.hpp"
 #include "motion/figures/figure_grammar.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "render/scene/theme.hpp"
 #include "tests/fuzz/promise.hpp"
 #include "tests/fuzz/readers.hpp"
 
@@ -46,6 +47,21 @@ bool read_preset(std::string_view text) {
     engine::Settings settings;
     engine::apply_preset(*loaded, settings);
     must(engine::validate(settings).empty());
+    return true;
+}
+
+bool read_theme(std::string_view text) {
+    const auto theme = render::parse_theme(text, "x", "x.toml");
+    if (!theme) {
+        must_be_one_line(theme.error().message);
+        return false;
+    }
+    must(theme->exposure >= 0.05F && theme->exposure <= 10.0F);
+    must(theme->beams.count >= 0 && theme->beams.count <= 12);
+    for (const glm::vec3& colour : {theme->floor_centre, theme->key_light, theme->drop_tint}) {
+        must(colour.x >= 0.0F && colour.y >= 0.0F && colour.z >= 0.0F);
+        must(colour.x + colour.y + colour.z <= 30.0F);
+    }
     return true;
 }
 

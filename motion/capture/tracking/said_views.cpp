@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "base/printable.hpp"
 
@@ -22,12 +24,15 @@ class SaidReader {
     Expected<void> read() {
         for (const MarkerLabel& label : input_.labels) {
             if (auto done = add_label(label); !done) {
-                return done;
+                return fail(std::move(done.error())
+                                .in(fmt::format("the label of \"{}\" in picture {}",
+                                                printable(label.marker),
+                                                label.picture)));
             }
         }
-        for (const Edit& edit : input_.edits) {
-            if (auto done = add_edit(edit); !done) {
-                return done;
+        for (std::size_t i = 0; i < input_.edits.size(); ++i) {
+            if (auto done = add_edit(input_.edits[i]); !done) {
+                return fail(std::move(done.error()).in(fmt::format("edit {}", i + 1)));
             }
         }
         return {};
@@ -73,10 +78,8 @@ class SaidReader {
         }
         const auto& pictures = input_.seen.films[*film].pictures;
         if (label.picture >= pictures.size()) {
-            return fail(fmt::format("a label is in picture {} of camera \"{}\", which has {}",
-                                    label.picture,
-                                    printable(label.camera),
-                                    pictures.size()));
+            return fail(fmt::format(
+                "camera \"{}\" has {} pictures", printable(label.camera), pictures.size()));
         }
         const double time = films_.clocks[*film].capture_time(pictures[label.picture].time);
         const double frame = std::round((time - line_.first) * rate_);

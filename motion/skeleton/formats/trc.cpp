@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -102,6 +103,13 @@ class TrcReader {
                                      cells,
                                      clip_.names.size(),
                                      kLeading + numbers));
+        }
+        if (cells == 0) {
+            return {};  // nothing but tabs
+        }
+        const auto number = number_of_cell(row.cells.front());
+        if (!number || !std::isfinite(*number)) {
+            return fault(row, "does not begin with a frame's number: it is damaged, or no row");
         }
         for (std::size_t point = 0; point < clip_.names.size(); ++point) {
             glm::dvec3 place(std::numeric_limits<double>::quiet_NaN());

@@ -151,6 +151,10 @@ constexpr Fault kFaults[] = {
      R"("name":1e999)",
      "is not glTF, as it is not JSON: Problem while parsing a number"},
     {R"("scene":0)", R"("scene":0,"scene":0)", "is not glTF, as it has a key twice in one object"},
+    {R"("scene":0)",
+     R"("scene":0,"x":[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[)"
+     R"(]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]])",
+     "is not glTF, as it has JSON that is nested deeper than 64 levels"},
 };
 
 TEST(GltfReader, says_where_a_fault_is_in_one_line) {

@@ -74,7 +74,7 @@ TEST(JsonDocument, refuses_what_is_no_clear_document) {
     EXPECT_NE(fault_of("{\"a\":\"\xFF\"}", none), "");
     EXPECT_NE(fault_of("", none), "");
     const std::string deep = "{\"a\":" + std::string(100, '[') + std::string(100, ']') + "}";
-    EXPECT_EQ(fault_of(deep, none), "its JSON is nested deeper than 64 levels");
+    EXPECT_EQ(fault_of(deep, none), "has JSON that is nested deeper than 64 levels");
 }
 
 }  // namespace

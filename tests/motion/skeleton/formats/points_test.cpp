@@ -156,6 +156,8 @@ TEST(Trc, what_is_damaged_is_refused_with_its_line) {
         {"", "x.trc: is not TRC"},
         {std::string(kTrc.substr(0, 60)), "x.trc: is not TRC, or ends inside its header"},
         {with(kTrc, "901", "x"), "x.trc: line 8: \"x\" is not a number"},
+        {std::string(kTrc) + "end of file\n", "does not begin with a frame's number"},
+        {std::string(kTrc) + "\t0.03\t1\t2\t3\n", "does not begin with a frame's number"},
         {with(kTrc, "LASI\t\t\tRASI", "\t\t\t"), "line 4: names 0 markers"},
         {with(kTrc, "0.25\n", "0.25\t7\n"), "line 7: 9 cells for 2 markers: at most 8"},
         {with(kTrc, "\n100\t", "\n0\t"), "its frame rate is 0"},
