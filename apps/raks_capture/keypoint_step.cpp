@@ -118,7 +118,7 @@ bool is_of_keypoints(const capture::Tracks& tracks) {
 }
 
 Expected<capture::MarkerSet> markers_of(const CapturePlan& plan, const capture::Tracks& tracks) {
-    return is_of_keypoints(tracks) ? Expected<capture::MarkerSet>(capture::keypoint_markers())
+    return is_of_keypoints(tracks) ? Expected<capture::MarkerSet>(capture::network_markers())
                                    : load_markers(plan);
 }
 

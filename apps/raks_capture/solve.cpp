@@ -27,11 +27,20 @@ namespace raks::apps {
 namespace {
 
 constexpr std::size_t kMostDoubtsSaid = 10;
-// Networks take joints to be elsewhere than a skeleton does; metres.
-constexpr double kKeypointDeviation = 0.03;
-// Measured on rendered dancers: ankles that stand seem to move at up to 0.3 m/s, while heels that
-// are lifted by a centimetre or three are common.
-constexpr capture::StandingSole kKeypointStanding = {0.3, 0.7, 0.01, 0.025, false};
+// Joints that a network sees are off by more than markers, but nobody can take them off the body:
+// where they are is believed from farther away, and more than what is usual. With the weights for
+// markers legs came out 10 degrees too straight. Toes of rendered dancers that stand seem to move
+// at up to 0.45 m/s, those of a larger dancer faster; heels that are lifted by a centimetre or
+// three are common.
+void suit_keypoints(capture::SolveOptions& options) {
+    const double whole =
+        options.height.value_or(capture::kMannequinHeight) / capture::kMannequinHeight;
+    options.marker_deviation = 0.02;  // from where networks usually take joints to be
+    options.outlier = 0.08;
+    options.usual_posture_in_size = 0.05;
+    options.usual_posture_in_motion = 0.01;
+    options.standing = {0.45 * whole, 0.9 * whole, 0.01, 0.025, false};
+}
 
 capture::SolveOptions options_of(const SolveArguments& arguments, const CapturePlan& plan) {
     capture::SolveOptions options;
@@ -145,8 +154,7 @@ ExitCode solve_points(const SolveArguments& arguments) {
     }
     capture::SolveOptions options = options_of(arguments, CapturePlan{});
     if (is_of_keypoints(points->tracks)) {
-        options.marker_deviation = kKeypointDeviation;
-        options.standing = kKeypointStanding;
+        suit_keypoints(options);
     }
     const auto dance = solve_showing(points->tracks, points->markers, options);
     if (stop_signal()) {
@@ -192,9 +200,8 @@ ExitCode solve_capture(const SolveArguments& arguments) {
     }
     capture::SolveOptions options = options_of(arguments, *plan);
     if (is_of_keypoints(*tracks)) {
-        options.marker_deviation = kKeypointDeviation;
-        options.standing = kKeypointStanding;
         options.height = dancer_height(*plan, arguments.height);
+        suit_keypoints(options);
     }
     auto body = load_body(*plan, arguments.body);
     if (!body) {

@@ -26,9 +26,11 @@ constexpr double kSmoothing = 0.08;      // seconds
 constexpr double kPlantedSpeed = 0.3;    // m/s
 constexpr double kShortestStand = 0.12;  // seconds
 constexpr std::size_t kFewestSteps = 6;
-// Metres of a standing foot's height: a network sees it higher or lower the same way each time the
-// foot stands in one place, and heels are raised, so that many steps tell hardly more than a few.
+// Metres of standing toes' height.
 constexpr double kStepDeviation = 0.1;
+// A network sees toes higher or lower the same way each time they stand in one place, so that many
+// steps tell no more than so many.
+constexpr double kMostStepsTold = 20.0;
 constexpr double kLeanDeviation = 0.05;  // radians of the body's mean lean
 constexpr double kMostLean = 0.6;        // radians of a body that stands
 
@@ -40,6 +42,7 @@ constexpr std::array<BodyPoint, 6> kFeet = {BodyPoint::left_ankle,
                                             BodyPoint::right_foot_index};
 
 // A point of a foot while it stood.
+constexpr std::size_t kToesKind = 2;
 struct Step {
     glm::dvec3 place{};
     std::size_t kind = 0;  // ankle, heel, toes
@@ -194,49 +197,46 @@ std::optional<glm::dvec3> mean_lean(const DancerSights& sights) {
     return glm::length(lean) > 0.5 ? std::optional(glm::normalize(lean)) : std::nullopt;
 }
 
-// Up by the feet that stood and by the lean: heights of each kind of point are alike.
+// Up by the toes that stood and by the lean. All toes that stand are at one height. Ankles and
+// heels are not: who steps ahead and back lifts the heel that is behind, always on the same side.
 glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean) {
     const glm::dvec3 side = glm::normalize(
         glm::cross(lean, std::abs(lean.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
     const glm::dvec3 ahead = glm::cross(lean, side);
-    // Up is lean + a side + b ahead; the height of each kind is a number of its own.
+    std::vector<glm::dvec3> toes;
+    for (const Step& step : steps) {
+        if (step.kind == kToesKind) {
+            toes.push_back(step.place);
+        }
+    }
+    if (toes.empty()) {
+        return lean;
+    }
+    const double share = std::min(1.0, kMostStepsTold / static_cast<double>(toes.size()));
+    // Up is lean + a side + b ahead.
     glm::dvec2 tilt{};
     for (int round = 0; round < 8; ++round) {
+        const glm::dvec3 up = lean + tilt.x * side + tilt.y * ahead;
+        const double usual = middle_of(heights_of(steps, kToesKind, up));
+        const auto weight_of = [&](const glm::dvec3& place) {
+            const double off = glm::dot(place, up) - usual;
+            return share / (kStepDeviation * kStepDeviation + off * off);
+        };
+        double weights = 0.0;
+        glm::dvec3 mean{};
+        for (const glm::dvec3& place : toes) {
+            weights += weight_of(place);
+            mean += weight_of(place) * place;
+        }
+        mean /= weights;
         glm::dmat2 matrix(1.0 / (kLeanDeviation * kLeanDeviation));
         glm::dvec2 vector{};
-        const glm::dvec3 up = lean + tilt.x * side + tilt.y * ahead;
-        for (std::size_t kind = 0; kind < 3; ++kind) {
-            double weights = 0.0;
-            double height = 0.0;
-            glm::dvec2 mean{};
-            const auto weight_of = [&](double off) {
-                return 1.0 / (kStepDeviation * kStepDeviation + off * off);
-            };
-            const std::vector<double> heights = heights_of(steps, kind, up);
-            if (heights.empty()) {
-                continue;
-            }
-            const double usual = middle_of(heights);
-            for (const Step& step : steps) {
-                if (step.kind == kind) {
-                    const double weight = weight_of(glm::dot(step.place, up) - usual);
-                    weights += weight;
-                    height += weight * glm::dot(step.place, lean);
-                    mean += weight *
-                            glm::dvec2(glm::dot(step.place, side), glm::dot(step.place, ahead));
-                }
-            }
-            height /= weights;
-            mean /= weights;
-            for (const Step& step : steps) {
-                if (step.kind == kind) {
-                    const double weight = weight_of(glm::dot(step.place, up) - usual);
-                    const glm::dvec2 at =
-                        glm::dvec2(glm::dot(step.place, side), glm::dot(step.place, ahead)) - mean;
-                    matrix += weight * glm::outerProduct(at, at);
-                    vector -= weight * (glm::dot(step.place, lean) - height) * at;
-                }
-            }
+        for (const glm::dvec3& place : toes) {
+            const double weight = weight_of(place);
+            const glm::dvec3 off = place - mean;
+            const glm::dvec2 at(glm::dot(off, side), glm::dot(off, ahead));
+            matrix += weight * glm::outerProduct(at, at);
+            vector -= weight * glm::dot(off, lean) * at;
         }
         tilt = glm::inverse(matrix) * vector;
     }

@@ -18,10 +18,9 @@ struct DancerFloor {
 };
 
 /// Moves a rig so that up is y, the floor is y = 0, the dancer's mean place lies over the origin
-/// and the first camera stands at +z. `tracks`: of the keypoints, in the rig's axes. Up is what the
-/// feet that stand have in common, and where the centre of mass lies over the feet on average: both
-/// together. Errors,
-/// one line: feet that are hardly seen; a body that lies.
+/// and the first camera stands at +z. `tracks`: of the keypoints, in the rig's axes. Up is where
+/// the centre of mass lies over the feet on average, and across what the toes that stand have in
+/// common: both together. Errors, one line: feet that are hardly seen; a body that lies.
 [[nodiscard]] Expected<DancerFloor> put_on_dancers_floor(Rig& rig,
                                                          const Tracks& tracks,
                                                          double height);

@@ -14,8 +14,12 @@ namespace raks::capture {
 [[nodiscard]] std::span<const BodyPoint> followed_points() noexcept;
 
 /// The same as markers on the mannequin, each at the joint that it is named after, called as the
-/// keypoint is. Where a network really takes a joint to be, the solver finds.
+/// keypoint is: for points that other programs say are joints.
 [[nodiscard]] MarkerSet keypoint_markers();
+
+/// The same, each where a pose network usually takes the joint to be. Where it does with this
+/// dancer, the solver finds.
+[[nodiscard]] MarkerSet network_markers();
 
 /// The keypoint of the other side of the body; those of the middle are their own.
 [[nodiscard]] BodyPoint other_side(BodyPoint point) noexcept;

@@ -25,21 +25,13 @@ constexpr double kMostHeight = 2.5;
 // standard deviations of the logarithm of their ratio.
 constexpr double kToldHeightDeviation = 0.015;
 constexpr double kUntoldHeightDeviation = 0.15;
-// Weights of the usual posture in a frame, against 1 when a single frame is fitted. When the size
-// is fitted to many frames, what is usual in each of them is not the average of all. When the
-// motion is smoothed, the frames around tell more of a joint that is not measured than what is
-// usual.
-constexpr double kUsualPostureWeightInSize = 0.3;
-constexpr double kUsualPostureWeightInSmoothing = 0.05;
 // Where the body comes out larger than the dancer was said to be by this factor, or smaller by it,
 // the world's scale is wrong. Markers that sit elsewhere on the body make less of a difference.
 constexpr double kWrongScaleFactor = 1.2;
 // The size of the body is fitted to so many frames.
 constexpr std::size_t kSizeFrames = 80;
-// A marker that lies this far off counts half, metres: before the size of the body is known, and
-// after.
+// A marker that lies this far off counts half before the size of the body is known, metres.
 constexpr double kOutlierMetresBeforeSize = 0.15;
-constexpr double kOutlierMetresAfterSize = 0.04;
 // No marker's place is known better than this, metres.
 constexpr double kLeastMarkerDeviation = 0.002;
 // Markers move on the skin by so much, metres.
@@ -219,7 +211,7 @@ void DanceSolver::fit_size_to(std::size_t most_frames) {
         states.push_back(states_[frame]);
     }
     FrameWeights weights = weights_;
-    weights.usual = kUsualPostureWeightInSize;
+    weights.usual = options_.usual_posture_in_size;
     size_ = fit_size(model_, markers_, prior_, weights, sights, size_, states);
     shape_ = shape_of(size_, markers_);
 }
@@ -238,7 +230,7 @@ std::vector<BodyState> DanceSolver::started_states() const {
 
 void DanceSolver::smooth_states(int rounds) {
     FrameContext smoothing = context();
-    smoothing.weights.usual = kUsualPostureWeightInSmoothing;
+    smoothing.weights.usual = options_.usual_posture_in_motion;
     const double smoothness =
         options_.smoothness * std::clamp(roughness(tracks_), kLeastSmoothnessShare, 1.0);
     smooth(smoothing, sights_, {rate_, rounds, smoothness}, states_);
@@ -254,7 +246,7 @@ Expected<SolvedDance> DanceSolver::solve() {
     weights_.outlier = kOutlierMetresBeforeSize;
     states_ = options_.start.empty() ? fit_frames(context(), sights_) : started_states();
     fit_size_to(kSizeFrames);
-    weights_.outlier = kOutlierMetresAfterSize;
+    weights_.outlier = options_.outlier;
     fit_size_to(kSizeFrames);
     const double height = kMannequinHeight * size_.whole;
     if (!(height >= kLeastHeight && height <= kMostHeight)) {

@@ -26,6 +26,14 @@ struct SolveOptions {
     std::optional<double> frames_per_second{};  ///< of the poses; none: the tracks'
     /// How far markers sit from where the set has them: standard deviation along each axis, metres.
     double marker_deviation = 0.015;
+    /// A marker that lies so far off the body counts half, once the body's size is known; metres.
+    double outlier = 0.04;
+    /// Weights of the usual posture in a frame, against 1 when a single frame is fitted. When the
+    /// size is fitted to many frames, what is usual in each of them is not the average of all. When
+    /// the motion is smoothed, the frames around tell more of a joint that is not measured than
+    /// what is usual.
+    double usual_posture_in_size = 0.3;
+    double usual_posture_in_motion = 0.05;
     double smoothness = 1.0;  ///< > 1: the dancer is expected to move more softly
     StandingSole standing{};  ///< which soles are held to the floor
     /// By frame of the tracks: postures of the model from which the body and its motion are fitted.

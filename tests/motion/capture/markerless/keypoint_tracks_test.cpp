@@ -42,8 +42,7 @@ NetworkScene network_scene(const test::NetworkErrors& errors, double seconds) {
     return scene;
 }
 
-TEST(KeypointMarkers, are_alike_on_both_sides) {
-    const MarkerSet set = keypoint_markers();
+void expect_alike_on_both_sides(const MarkerSet& set) {
     ASSERT_EQ(set.markers.size(), followed_points().size());
     for (std::size_t i = 0; i < set.markers.size(); ++i) {
         const BodyPoint point = followed_points()[i];
@@ -56,6 +55,25 @@ TEST(KeypointMarkers, are_alike_on_both_sides) {
             EXPECT_NEAR(other.place.x, -set.markers[i].place.x, 1e-6);
         }
     }
+}
+
+TEST(KeypointMarkers, are_alike_on_both_sides) {
+    expect_alike_on_both_sides(keypoint_markers());
+    expect_alike_on_both_sides(network_markers());
+}
+
+TEST(KeypointMarkers, of_networks_have_hips_lower_and_knees_behind_within_3_cm) {
+    const MarkerSet joints = keypoint_markers();
+    const MarkerSet seen = network_markers();
+    for (std::size_t i = 0; i < joints.markers.size(); ++i) {
+        EXPECT_LT(glm::distance(seen.markers[i].place, joints.markers[i].place), 0.03);
+    }
+    const auto moved = [&](BodyPoint point) {
+        const std::size_t i = *joints.index_of(name_of(point));
+        return seen.markers[i].place - joints.markers[i].place;
+    };
+    EXPECT_LT(moved(BodyPoint::right_hip).y, -0.005);
+    EXPECT_LT(moved(BodyPoint::right_knee).z, -0.005);
 }
 
 TEST(SideExchange, finds_the_stretch_and_puts_it_right) {
