@@ -241,7 +241,6 @@ TEST_F(DancesOfBoth, say_in_a_line_why_they_are_danced_of_figures) {
                                        "not of --generator frames"});
     // Which dance will be shown is not known then.
     settings_.dance = "auto";
-    EXPECT_TRUE(material_notes(settings_, catalogue()).empty());
     settings_.generator = Settings().generator;
     settings_.formation = "couple";
     EXPECT_TRUE(material_notes(settings_, catalogue()).empty());
