@@ -81,7 +81,8 @@ struct Motion {
     std::function<motion::Pose(double)> pose_at;  // seconds
     std::function<render::Face(double)> face_at;
     /// What the clip moves besides bones; none: nothing.
-    std::function<void(double, const render::JointTree&, render::JointState&)> move_others{};
+    std::function<void(double, const motion::Pose&, const render::JointTree&, render::JointState&)>
+        move_others{};
     double duration = 0.0;  // seconds to the last pose
     double rate = 1.0;      // poses a second
 };
@@ -131,8 +132,11 @@ Expected<Motion> find_motion(const AvatarPoseArguments& arguments,
         .face_at =
             [shared](double seconds) { return shared->face_at(seconds).value_or(render::Face()); },
         .move_others =
-            [shared](double seconds, const render::JointTree& tree, render::JointState& state) {
-                shared->move_others(seconds, tree, state);
+            [shared](double seconds,
+                     const motion::Pose& pose,
+                     const render::JointTree& tree,
+                     render::JointState& state) {
+                shared->move_others(seconds, pose, tree, state);
             },
         .duration = duration,
         .rate = rate};
@@ -180,23 +184,23 @@ class Mover {
         if (has_springs_) {
             swing_to(seconds);
         }
-        move_others(seconds);
-        render::pose_avatar(
-            rig_, motion_.pose_at(seconds), motion_.face_at(seconds), kOwnBody, state_);
+        const motion::Pose pose = motion_.pose_at(seconds);
+        move_others(seconds, pose);
+        render::pose_avatar(rig_, pose, motion_.face_at(seconds), kOwnBody, state_);
         return state_;
     }
 
  private:
     static constexpr float kOwnBody = 1.0F;  // poses are on this body already
 
-    void move_others(double seconds) {
+    void move_others(double seconds, const motion::Pose& pose) {
         if (motion_.move_others) {
-            motion_.move_others(seconds, rig_.tree, state_.joints);
+            motion_.move_others(seconds, pose, rig_.tree, state_.joints);
         }
     }
 
     void swing_to(double seconds) {
-        move_others(seconds);
+        move_others(seconds, motion_.pose_at(seconds));
         render::advance(
             rig_,
             stream_time_from_seconds(seconds),

@@ -94,8 +94,10 @@ double said_film_fps(const engine::Settings& settings) {
 
 Expected<engine::AvatarClip> open_clip(const std::string& motion,
                                        const engine::Settings& settings,
-                                       std::optional<double> arm_angle) {
+                                       std::optional<double> arm_angle,
+                                       render::OtherNodes others) {
     engine::AvatarClipOptions options;
+    options.others = others;
     options.avatar = engine::find_avatar(settings.avatars.front()).value_or(fs::path());
     options.labels = settings.avatar_labels;
     options.arm_angle = arm_angle;

@@ -51,10 +51,13 @@ void replace_missing_avatars(engine::Settings& settings);
 
 /// A clip in a dance's place, on the mannequin's body as dances are; says what its model lacks. The
 /// settings' label file is for it, too, where it is one of the avatar's own. Errors: those of
-/// engine::AvatarClip::load. `arm_angle`: of a VMD (motion::MotionReadOptions).
-[[nodiscard]] Expected<engine::AvatarClip> open_clip(const std::string& motion,
-                                                     const engine::Settings& settings,
-                                                     std::optional<double> arm_angle = {});
+/// engine::AvatarClip::load. `arm_angle`: of a VMD (motion::MotionReadOptions). `others`: of
+/// engine::AvatarClipOptions.
+[[nodiscard]] Expected<engine::AvatarClip> open_clip(
+    const std::string& motion,
+    const engine::Settings& settings,
+    std::optional<double> arm_angle = {},
+    render::OtherNodes others = render::OtherNodes::folded);
 
 /// The look that the settings ask for, with its avatar; says whose work that is, and what its file
 /// lacks. Errors: those of engine::read_look and engine::load_avatar.

@@ -78,6 +78,12 @@ class Film final : public engine::OfflineDriver::Sink {
     // Of a clip, by seconds of the film; none: faces go by the music.
     using FaceAt = std::function<std::optional<render::Face>(double)>;
     void set_face(FaceAt face) { face_at_ = std::move(face); }
+    // All of a clip that is the avatar's own, `start` seconds from its beginning on.
+    void set_clip(std::shared_ptr<const engine::AvatarClip> clip, double start) {
+        face_at_ = [clip, start](double time) { return clip->face_at(start + time); };
+        clip_ = std::move(clip);
+        clip_start_ = start;
+    }
     // Who says which dance it is, where that is not heard; lives as long as the program.
     void set_teller(std::string_view teller) { teller_ = teller; }
 
@@ -109,7 +115,8 @@ class Film final : public engine::OfflineDriver::Sink {
                      .places = places_,
                      .moment = moment,
                      .lead = lead_,
-                     .face = face_at_ ? face_at_(to_seconds(moment)) : std::nullopt}},
+                     .face = face_at_ ? face_at_(to_seconds(moment)) : std::nullopt,
+                     .move_others = others_at(clip_start_ + to_seconds(moment + lead_))}},
                    info,
                    target_.frame());
         // The first fault ends the film: later pictures are not drawn.
@@ -122,6 +129,17 @@ class Film final : public engine::OfflineDriver::Sink {
         }
         ++next_;
         tell_time();
+    }
+
+    [[nodiscard]] decltype(engine::DancedMoment::move_others) others_at(double seconds) const {
+        if (clip_ == nullptr) {
+            return {};
+        }
+        return [this, seconds](const motion::Pose& pose,
+                               const render::JointTree& tree,
+                               render::JointState& state) {
+            clip_->move_others(seconds, pose, tree, state);
+        };
     }
 
     // How long the film will take, once the first pictures tell.
@@ -166,6 +184,8 @@ class Film final : public engine::OfflineDriver::Sink {
     std::span<const glm::vec2> places_;
     std::optional<Error> fault_;
     FaceAt face_at_;
+    std::shared_ptr<const engine::AvatarClip> clip_;  // null: no clip, or to music
+    double clip_start_ = 0.0;
     std::string_view teller_ = render::OverlayState().genre_teller;
 };
 
@@ -298,9 +318,12 @@ ExitCode film_music(const RenderArguments& arguments,
 // A silent film of a clip, once through.
 ExitCode film_clip(const RenderArguments& arguments,
                    const engine::Look& look,
-                   engine::ClipDriver driver,
-                   Film::FaceAt face,
+                   std::shared_ptr<const engine::AvatarClip> clip,
                    double seconds) {
+    const double start = arguments.section.start;
+    engine::ClipDriver driver([clip, start](const MusicState& state) {
+        return clip->pose_at(start + to_seconds(state.time));
+    });
     render::VideoOptions options = video_options(arguments, look);
     options.audio_channels = 0;
     auto writer = render::VideoWriter::create(arguments.output, options);
@@ -312,7 +335,7 @@ ExitCode film_clip(const RenderArguments& arguments,
         return fail(studio.error());
     }
     Film film(studio->show, studio->target, **writer, arguments, options.rate, {}, seconds);
-    film.set_face(std::move(face));
+    film.set_clip(std::move(clip), start);
     ProgressLine progress("rendering");
     constexpr double kPart = 0.5;  // seconds between two looks at signals
     double done = 0.0;
@@ -330,13 +353,18 @@ ExitCode film_clip(const RenderArguments& arguments,
 
 // The avatar performs a clip: once in silence, or to music as `play` does.
 ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
-    auto opened = open_clip(arguments.motion.file, arguments.settings, arguments.motion.arm_angle);
+    // To music a clip begins again and again, and only what a pose holds is led over.
+    const bool is_whole = arguments.input.empty() && arguments.settings.avatars.size() == 1;
+    auto opened = open_clip(arguments.motion.file,
+                            arguments.settings,
+                            arguments.motion.arm_angle,
+                            is_whole ? render::OtherNodes::moved : render::OtherNodes::folded);
     if (!opened) {
         return fail(opened.error());
     }
     const double start = arguments.section.start;
     if (arguments.input.empty()) {
-        const auto clip = std::make_shared<const engine::AvatarClip>(std::move(*opened));
+        auto clip = std::make_shared<const engine::AvatarClip>(std::move(*opened));
         const double length = clip->duration();
         if (!(length > start)) {
             return fail(
@@ -344,14 +372,7 @@ ExitCode render_clip(RenderArguments& arguments, const engine::Look& look) {
         }
         const double seconds =
             std::min(arguments.section.duration.value_or(length), length - start);
-        return film_clip(
-            arguments,
-            look,
-            engine::ClipDriver([clip, start](const MusicState& state) {
-                return clip->pose_at(start + to_seconds(state.time));
-            }),
-            [clip, start](double time) { return clip->face_at(start + time); },
-            seconds);
+        return film_clip(arguments, look, std::move(clip), seconds);
     }
     auto source = engine::MusicSource::open(arguments.input, start, arguments.section.duration);
     if (!source) {

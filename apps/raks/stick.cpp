@@ -13,6 +13,7 @@
 #include "apps/raks/stick_points.hpp"
 #include "apps/terminal/say.hpp"
 #include "base/printable.hpp"
+#include "motion/skeleton/body/body_finder.hpp"
 #include "motion/skeleton/formats/motion_file.hpp"
 #include "motion/skeleton/text_lines.hpp"
 #include "render/scene/point_body.hpp"
@@ -43,12 +44,13 @@ void say_what_was_found(const motion::MotionClip& clip,
     for (const std::string& note : recorded.notes()) {
         say(name + ": " + note);
     }
-    if (!arguments.body.has_unit() && !clip.metres_per_unit) {
-        const auto& body = recorded.body();
-        say(fmt::format("{}: one unit is taken for {}: {} (--unit, --height or --scale sets it)",
+    const auto& body = recorded.body();
+    const bool is_said = body && body->is_unit_doubtful();
+    if (!arguments.body.has_unit() && !clip.metres_per_unit && !is_said) {
+        say(fmt::format("{}: {}",
                         name,
-                        motion::unit_name(recorded.metres_per_unit()),
-                        body ? body->size.reason : "by its height at rest"));
+                        motion::unit_note(recorded.metres_per_unit(),
+                                          body ? body->size.reason : "by its height at rest")));
     }
 }
 

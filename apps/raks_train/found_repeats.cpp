@@ -81,10 +81,11 @@ std::string comparison(const std::vector<motion::TakeCheck>& checks, const std::
     return text_table(rows);
 }
 
-/// The other ways to count a phrase, and how to ask for the likeliest of them; empty: none.
+/// The likeliest other ways to count a phrase, and how to ask for one of them; empty: none.
 std::string doubts_of(const motion::FoundRepeats& phrase) {
+    constexpr std::size_t kMostSaid = 3;
     std::string text;
-    for (std::size_t i = 1; i < phrase.counts.size(); ++i) {
+    for (std::size_t i = 1; i < std::min(phrase.counts.size(), 1 + kMostSaid); ++i) {
         const motion::PhraseCount& other = phrase.counts[i];
         text += fmt::format("{}{} beats at {:.1f} BPM ({:.0f} %)",
                             i == 1 ? "" : ", ",

@@ -227,7 +227,7 @@ void show_frame(const ShownModel& model, std::size_t frame, ShownPose& shown) {
     const render::JointTree& tree = model.avatar->rig->tree;
     render::go_to_rest(tree.joints, shown.state.joints);  // a clip before may have moved others
     if (model.clip) {
-        model.clip->move_others(seconds, tree, shown.state.joints);
+        model.clip->move_others(seconds, shown.pose, tree, shown.state.joints);
     }
     render::pose_avatar(*model.avatar->rig, shown.pose, shown.face, 1.0F, shown.state);
 }

@@ -185,7 +185,10 @@ std::vector<std::string> material_notes(const Settings& settings, const DanceCat
             continue;
         }
         if (is_loaded && entry.has_figures && !reason.empty()) {
-            without_takes.push_back(entry.info.name);
+            // Of dances that nobody named most are never seen: the line would be about others.
+            if (settings.dance != kAuto) {
+                without_takes.push_back(entry.info.name);
+            }
         } else if (is_loaded && !entry.has_figures) {
             without_figures.push_back(entry.info.name);
         } else if (!is_loaded && settings.dance == kAuto &&

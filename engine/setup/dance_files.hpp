@@ -50,8 +50,9 @@ namespace raks::engine {
 /// the seed says what the first one dances: an odd one people's takes. Pure.
 [[nodiscard]] Material material_of(const Settings& settings, std::size_t dancer) noexcept;
 
-/// What a person is told once: that dances are not of the material that the settings ask for, or
-/// left out as their takes of people cannot be what is asked for, and why; a line each.
+/// What a person is told once: that the dance which is named is danced of figures, as takes cannot
+/// be what is asked for; that dances have no figures; and which are left out, as their takes cannot
+/// be what is asked for; a line each.
 [[nodiscard]] std::vector<std::string> material_notes(const Settings& settings,
                                                       const DanceCatalogue& catalogue);
 

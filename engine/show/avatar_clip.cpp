@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 render::BoneRest rest_of(const render::Model& model, const render::StandingBody& standing) {
     render::BoneRest rest;
     rest.turn = standing.turn;
+    rest.parents = standing.parents;
     for (std::size_t bone = 0; bone < rest.world.size(); ++bone) {
         const int node = model.character.humanoid.nodes[bone];
         rest.world[bone] = motion::kNoRotation;
@@ -45,7 +46,7 @@ render::BoneRest rest_of(const render::Model& model, const render::StandingBody&
         }
         rest.world[bone] = standing.straighten[bone] *
                            render::rotation_of(standing.world[static_cast<std::size_t>(node)]);
-        const int above = model.nodes[static_cast<std::size_t>(node)].parent;
+        const int above = standing.parents[static_cast<std::size_t>(node)];
         const int upper = render::mapped_parent(model.character.humanoid, static_cast<int>(bone));
         if (above >= 0 && upper >= 0) {
             // What hangs between two bones stands with the upper one.
@@ -239,9 +240,10 @@ class AvatarClipReader {
         };
         if (others_ == render::OtherNodes::moved) {
             clip.others_ = [model, sampler](double seconds,
+                                            const glm::vec3& hips,
                                             const render::JointTree& tree,
                                             render::JointState& state) {
-                sampler->move_others(static_cast<float>(seconds), tree, state);
+                sampler->move_others(static_cast<float>(seconds), hips, tree, state);
             };
         }
         clip.warnings_ = model->warnings;

@@ -69,14 +69,17 @@ class AvatarClip {
         return face_ ? std::optional(face_(seconds)) : std::nullopt;
     }
 
-    /// Moves what is no bone (helpers, hair, parts of a face) on the model whose own clip this is,
-    /// where AvatarClipOptions::others says so; else nothing. To be called before
-    /// render::pose_avatar. `tree`: of the model that AvatarClipOptions names.
+    /// Moves what a pose does not hold (helpers, hair, parts of a face; bones that are shifted or
+    /// change their size) on the model whose own clip this is, where AvatarClipOptions::others says
+    /// so; else nothing. To be called before
+    /// render::pose_avatar with the pose of that time. `tree`: of the model that AvatarClipOptions
+    /// names.
     void move_others(double seconds,
+                     const motion::Pose& pose,
                      const render::JointTree& tree,
                      render::JointState& state) const {
         if (others_) {
-            others_(seconds, tree, state);
+            others_(seconds, pose.hips_position, tree, state);
         }
     }
 
@@ -88,7 +91,9 @@ class AvatarClip {
 
     std::function<motion::Pose(double)> pose_;
     std::function<render::Face(double)> face_;
-    std::function<void(double, const render::JointTree&, render::JointState&)> others_;
+    std::function<void(
+        double, const glm::vec3& hips, const render::JointTree&, render::JointState&)>
+        others_;
     double duration_ = 0.0;
     double rate_ = 60.0;
     std::optional<double> bpm_;

@@ -177,6 +177,9 @@ void DancerBodies::move(std::size_t dancer,
                               : std::nullopt,
         .has_met = have_hands_met(dancer, danced.moment)};
     constexpr float kOwnBody = 1.0F;  // the pose is on this body already
+    if (danced.move_others) {
+        danced.move_others(pose, avatar.rig->tree, body.state.joints);
+    }
     render::advance(
         *avatar.rig,
         danced.moment,

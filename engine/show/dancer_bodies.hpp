@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +30,10 @@ struct DancedMoment {
     StreamTime moment{};                 ///< that is seen and heard
     Nanos lead{0};                       ///< by which the poses are ahead of it
     std::optional<render::Face> face{};  ///< of a clip; none: by the music
+    /// What a clip of the only avatar moves besides turning its bones, as AvatarClip::move_others,
+    /// for the pose on that avatar; empty: nothing.
+    std::function<void(const motion::Pose&, const render::JointTree&, render::JointState&)>
+        move_others{};
 };
 
 /// The bodies of all dancers, who wear one avatar or several in turn, and for each dancer what its

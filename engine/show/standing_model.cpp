@@ -21,18 +21,10 @@ using render::ModelNode;
 using render::StandingBody;
 
 void set_local(ModelNode& node, const glm::mat4& local) {
-    node.translation = glm::vec3(local[3]);
-    node.rotation = render::rotation_of(local);
-    for (int axis = 0; axis < 3; ++axis) {
-        node.scale[axis] = glm::length(glm::vec3(local[axis]));
-    }
-    // A mirrored node keeps its mirror.
-    if (glm::determinant(glm::mat3(local)) < 0.0F) {
-        node.scale.x = -node.scale.x;
-        glm::mat3 axes(local);
-        axes[0] = -axes[0];
-        node.rotation = render::rotation_of(glm::mat4(axes));
-    }
+    const render::NodePlace place = render::place_of(local);
+    node.translation = place.translation;
+    node.rotation = place.rotation;
+    node.scale = place.scale;
 }
 
 void set_parents(Model& model, const std::vector<int>& parents) {

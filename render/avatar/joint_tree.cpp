@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 namespace raks::render {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 // Half a turn about y.
 constexpr glm::quat kHalfTurn{0.0F, 0.0F, 1.0F, 0.0F};
 
-glm::mat4 local_matrix(const Joint& joint, const JointState& state, std::size_t i) noexcept {
+glm::mat4 local_matrix(const JointState& state, std::size_t i) noexcept {
     glm::mat4 local = glm::mat4_cast(state.rotations[i]);
     for (int column = 0; column < 3; ++column) {
-        local[column] *= joint.scale[column];
+        local[column] *= state.scales[i][column];
     }
     local[3] = glm::vec4(state.translations[i], 1.0F);
     return local;
@@ -102,6 +103,7 @@ void go_to_rest(std::span<const Joint> joints, JointState& state) noexcept {
     for (std::size_t i = 0; i < joints.size(); ++i) {
         state.translations[i] = joints[i].translation;
         state.rotations[i] = joints[i].rotation;
+        state.scales[i] = joints[i].scale;
     }
 }
 
@@ -109,6 +111,7 @@ JointState rest_state(std::span<const Joint> joints) {
     JointState state;
     state.translations.resize(joints.size());
     state.rotations.resize(joints.size());
+    state.scales.resize(joints.size());
     state.world.resize(joints.size());
     go_to_rest(joints, state);
     update_world(joints, state);
@@ -133,7 +136,7 @@ JointState t_pose_state(const Model& model,
 }
 
 void update_world_of(std::span<const Joint> joints, JointState& state, std::size_t joint) noexcept {
-    const glm::mat4 local = local_matrix(joints[joint], state, joint);
+    const glm::mat4 local = local_matrix(state, joint);
     const int parent = joints[joint].parent;
     state.world[joint] = parent < 0 ? local : state.world[static_cast<std::size_t>(parent)] * local;
 }
@@ -147,10 +150,10 @@ void update_world(std::span<const Joint> joints, JointState& state, std::size_t 
 glm::mat4 compute_world(std::span<const Joint> joints,
                         const JointState& state,
                         std::size_t joint) noexcept {
-    glm::mat4 world = local_matrix(joints[joint], state, joint);
+    glm::mat4 world = local_matrix(state, joint);
     for (int above = joints[joint].parent; above >= 0;) {
         const auto i = static_cast<std::size_t>(above);
-        world = local_matrix(joints[i], state, i) * world;
+        world = local_matrix(state, i) * world;
         above = joints[i].parent;
     }
     return world;
@@ -166,6 +169,21 @@ glm::quat rotation_of(const glm::mat4& matrix) noexcept {
         axes[column] /= length;
     }
     return glm::normalize(glm::quat_cast(axes));
+}
+
+NodePlace place_of(const glm::mat4& matrix) noexcept {
+    NodePlace place{.translation = glm::vec3(matrix[3]),
+                    .rotation = rotation_of(matrix),
+                    .scale = {glm::length(glm::vec3(matrix[0])),
+                              glm::length(glm::vec3(matrix[1])),
+                              glm::length(glm::vec3(matrix[2]))}};
+    if (glm::determinant(glm::mat3(matrix)) < 0.0F) {
+        glm::mat4 axes = matrix;
+        axes[0] = -axes[0];
+        place.rotation = rotation_of(axes);
+        place.scale.x = -place.scale.x;
+    }
+    return place;
 }
 
 float scale_of(const glm::mat4& matrix) noexcept {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/model/animation_channel.hpp"
 #include "render/model/model.hpp"
 
 #include <glm/gtc/quaternion.hpp>
@@ -46,13 +47,14 @@ struct JointTree {
 struct JointState {
     std::vector<glm::vec3> translations;  ///< against the parent
     std::vector<glm::quat> rotations;     ///< against the parent
+    std::vector<glm::vec3> scales;        ///< against the parent
     std::vector<glm::mat4> world;         ///< avatar's space from the joint's
 };
 
 /// The state at rest.
 [[nodiscard]] JointState rest_state(std::span<const Joint> joints);
 
-/// Puts translations and rotations back to where they rest; `world` is not computed.
+/// Puts translations, rotations and scales back to where they rest; `world` is not computed.
 /// Threads: any. Real-time: yes.
 void go_to_rest(std::span<const Joint> joints, JointState& state) noexcept;
 
@@ -62,8 +64,8 @@ void go_to_rest(std::span<const Joint> joints, JointState& state) noexcept;
                                       const JointTree& tree,
                                       std::span<const glm::quat> t_pose);
 
-/// Computes `world` of joint `first` and all behind it from translations, rotations, and the
-/// scales at rest. Threads: any. Real-time: yes.
+/// Computes `world` of joint `first` and all behind it from translations, rotations and scales.
+/// Threads: any. Real-time: yes.
 void update_world(std::span<const Joint> joints, JointState& state, std::size_t first = 0) noexcept;
 
 /// `world` of one joint, from what is written now in it and in all above it: for drivers that need
@@ -79,6 +81,10 @@ void update_world_of(std::span<const Joint> joints, JointState& state, std::size
 /// The rotation in a matrix of rotation and scale above 0; the identity where a scale is 0.
 /// Threads: any. Real-time: yes.
 [[nodiscard]] glm::quat rotation_of(const glm::mat4& matrix) noexcept;
+
+/// What a matrix of place, rotation and scale is made of; one that mirrors has its mirror in the
+/// scale of x. Threads: any. Real-time: yes.
+[[nodiscard]] NodePlace place_of(const glm::mat4& matrix) noexcept;
 
 /// The largest of a matrix's three scales. Threads: any. Real-time: yes.
 [[nodiscard]] float scale_of(const glm::mat4& matrix) noexcept;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/avatar/animation_sampler.hpp"
+#include "render/model/finite.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -33,8 +33,10 @@ NodeClip::NodeClip(const Model& model,
                    OtherNodes others)
     : model_(model),
       rest_(rest),
+      others_(others),
       order_(parents_first(model)),
       moved_(model.nodes.size()),
+      carries_hips_(model.nodes.size(), false),
       world_(model.nodes.size()) {
     for (const AnimationChannel& channel : model.animations[animation].channels) {
         if (channel.times.empty() || channel.node < 0) {
@@ -43,68 +45,50 @@ NodeClip::NodeClip(const Model& model,
         duration_ = std::max(duration_, channel.times.back());
         moved_[static_cast<std::size_t>(channel.node)].take(channel);
     }
-    if (others == OtherNodes::moved) {
-        find_others();
-    }
-}
-
-void NodeClip::find_others() {
-    const auto& bones = model_.character.humanoid.nodes;
-    std::vector<bool> is_of_bones(model_.nodes.size());
-    for (std::size_t bone = 0; bone < bones.size(); ++bone) {
-        for (int node = bones[bone]; node >= 0 && !is_of_bones[static_cast<std::size_t>(node)];
-             node = model_.nodes[static_cast<std::size_t>(node)].parent) {
-            is_of_bones[static_cast<std::size_t>(node)] = true;
-        }
-    }
-    for (const std::size_t node : order_) {
-        // A root carries the turn and the size that the whole model is given.
-        if (moved_[node].is_moved() && !is_of_bones[node] && model_.nodes[node].parent >= 0) {
-            others_.push_back(static_cast<int>(node));
-        }
-    }
-    for (std::size_t bone = 1; bone < bones.size(); ++bone) {
-        if (bones[bone] >= 0) {
-            take_between(static_cast<motion::Bone>(bone));
-        }
-    }
-}
-
-void NodeClip::take_between(motion::Bone bone) {
-    const auto& bones = model_.character.humanoid.nodes;
-    const int above =
-        mapped_parent(model_.character.humanoid, static_cast<int>(motion::index_of(bone)));
-    const int end = above < 0 ? -1 : bones[static_cast<std::size_t>(above)];
-    std::vector<int> between;
-    int node = model_.nodes[static_cast<std::size_t>(bones[motion::index_of(bone)])].parent;
-    for (; node >= 0 && std::find(bones.begin(), bones.end(), node) == bones.end();
-         node = model_.nodes[static_cast<std::size_t>(node)].parent) {
-        if (moved_[static_cast<std::size_t>(node)].is_moved()) {
-            between.push_back(node);
-        }
-    }
-    // One that hangs elsewhere, as feet of inverse kinematics do, is posed in the world.
-    if (node == end && node >= 0 && !between.empty()) {
-        is_apart_[motion::index_of(bone)] = true;
-        for (const int one : between) {
-            if (std::find(others_.begin(), others_.end(), one) == others_.end()) {
-                others_.push_back(one);
+    if (others_ == OtherNodes::moved) {
+        for (int node = model.character.humanoid.nodes[0]; node >= 0;) {
+            node = rest_.parents[static_cast<std::size_t>(node)];
+            if (node >= 0) {
+                carries_hips_[static_cast<std::size_t>(node)] = true;
             }
         }
     }
 }
 
-void NodeClip::move_others(float seconds, const JointTree& tree, JointState& state) const noexcept {
-    if (tree.joint_of_node.size() < model_.nodes.size()) {
-        return;  // the file has changed since the tree was read
+void NodeClip::move_others(float seconds,
+                           const glm::vec3& hips,
+                           const JointTree& tree,
+                           JointState& state) {
+    if (others_ == OtherNodes::folded || tree.joint_of_node.size() < model_.nodes.size()) {
+        return;  // or the file has changed since the tree was read
     }
-    for (const int node : others_) {
-        const int joint = tree.joint_of(node);
-        if (joint >= 0) {
-            const auto i = static_cast<std::size_t>(node);
-            const NodePlace place = moved_[i].at(model_.nodes[i], seconds);
-            state.translations[static_cast<std::size_t>(joint)] = place.translation;
-            state.rotations[static_cast<std::size_t>(joint)] = place.rotation;
+    move_nodes(seconds);
+    const auto hips_node = static_cast<std::size_t>(model_.character.humanoid.nodes[0]);
+    const glm::mat4 rig_from_file =
+        glm::translate(glm::mat4(1.0F), hips) * glm::mat4_cast(rest_.turn) *
+        glm::scale(glm::mat4(1.0F), glm::vec3(tree.scale)) *
+        glm::translate(glm::mat4(1.0F), -glm::vec3(world_[hips_node][3]));
+    for (std::size_t joint = 0; joint < tree.joints.size(); ++joint) {
+        const auto node = static_cast<std::size_t>(tree.nodes[joint]);
+        if (carries_hips_[node]) {
+            continue;
+        }
+        const int parent = tree.joints[joint].parent;
+        glm::mat4 local = rig_from_file * world_[node];
+        if (parent >= 0) {
+            const auto above = static_cast<std::size_t>(parent);
+            const auto node_above = static_cast<std::size_t>(tree.nodes[above]);
+            // What carries the hips rests in the rig, wherever the clip has it.
+            local = carries_hips_[node_above]
+                        ? glm::inverse(compute_world(tree.joints, state, above)) * local
+                        : glm::inverse(world_[node_above]) * world_[node];
+        }
+        // Below what has no size, nothing is seen.
+        if (is_finite(local)) {
+            const NodePlace place = place_of(local);
+            state.translations[joint] = place.translation;
+            state.rotations[joint] = place.rotation;
+            state.scales[joint] = place.scale;
         }
     }
 }
@@ -120,10 +104,19 @@ void NodeClip::move_nodes(float seconds) {
     }
 }
 
-glm::quat NodeClip::turn_below_parent(std::size_t bone, float seconds) const {
+// Against what the bone hangs on in the rig, whatever turns between it and the next bone above.
+glm::quat NodeClip::turn_in_rig(std::size_t bone) const {
     const auto node = static_cast<std::size_t>(model_.character.humanoid.nodes[bone]);
-    const glm::quat local = moved_[node].at(model_.nodes[node], seconds).rotation;
-    return glm::normalize(rest_.above[bone] * local * glm::inverse(rest_.world[bone]));
+    const int above = rest_.parents[node];
+    glm::mat4 local = world_[node];
+    if (above >= 0) {
+        local = glm::inverse(world_[static_cast<std::size_t>(above)]) * local;
+    }
+    if (!is_finite(local)) {
+        return motion::kNoRotation;
+    }
+    return glm::normalize(rest_.above[bone] * place_of(local).rotation *
+                          glm::inverse(rest_.world[bone]));
 }
 
 motion::Pose NodeClip::pose_at(float seconds) {
@@ -139,8 +132,8 @@ motion::Pose NodeClip::pose_at(float seconds) {
         if (nodes[bone] >= 0) {
             const glm::quat now = rotation_of(world_[static_cast<std::size_t>(nodes[bone])]);
             turned[bone] = rest_.turn * now * glm::inverse(rest_.world[bone]);
-            pose.local_rotations[bone] = is_apart_[bone]
-                                             ? turn_below_parent(bone, seconds)
+            pose.local_rotations[bone] = bone > 0 && others_ == OtherNodes::moved
+                                             ? turn_in_rig(bone)
                                              : glm::normalize(glm::inverse(above) * turned[bone]);
         }
     }

@@ -19,16 +19,19 @@ namespace raks::render {
 /// How the bones of a model stand in its T-pose, in the world in which the figure faces +z.
 struct BoneRest {
     std::array<glm::quat, motion::kBoneCount> world{};  ///< rotation of each bone's node
-    /// Rotation of the node above each bone's; for a NodeClip that moves others.
+    /// Rotation of what each bone hangs on in its rig, and the parent of each node there
+    /// (StandingBody::parents); for a NodeClip that moves others.
     std::array<glm::quat, motion::kBoneCount> above{};
+    std::vector<int> parents;
     /// The turn about y from the file's world into that one.
     glm::quat turn{1.0F, 0.0F, 0.0F, 0.0F};
 };
 
-/// What becomes of nodes that are no bones.
+/// What becomes of all that a pose does not hold: nodes that are no bones, and where bones are and
+/// how large.
 enum class OtherNodes {
-    folded,  ///< one that lies between two bones turns the lower one
-    moved,   ///< move_others moves all but those above the hips
+    folded,  ///< a node that lies between two bones turns the lower one; the rest is left out
+    moved,   ///< move_others moves it
 };
 
 /// Samples one clip of a model whose humanoid is mapped: all nodes are moved as glTF says, and a
@@ -50,26 +53,26 @@ class NodeClip {
     /// they are in the file's metres.
     [[nodiscard]] motion::Pose pose_at(float seconds);
 
-    /// With OtherNodes::moved: moves the joints of nodes that are no bones, such as helpers, hair
-    /// and faces, against their parents; else nothing. `tree`: of this model, at any size. `world`
-    /// is not computed. Threads: any. Real-time: yes.
-    void move_others(float seconds, const JointTree& tree, JointState& state) const noexcept;
+    /// With OtherNodes::moved: puts all joints but those above the hips where the clip has them,
+    /// as large as there, so that with the pose of the same time, which turns the bones anew, the
+    /// model is as the clip has it; else nothing. `hips`: where that pose has the hips on the rig.
+    /// `tree`: of the rig of this model, at any size. `world` is not computed.
+    void move_others(float seconds,
+                     const glm::vec3& hips,
+                     const JointTree& tree,
+                     JointState& state);
 
  private:
     void move_nodes(float seconds);
-    void find_others();
-    [[nodiscard]] glm::quat turn_below_parent(std::size_t bone, float seconds) const;
-    void take_between(motion::Bone bone);
+    [[nodiscard]] glm::quat turn_in_rig(std::size_t bone) const;
 
     const Model& model_;
     BoneRest rest_;
+    OtherNodes others_;
     std::vector<std::size_t> order_;   // nodes, parents first
     std::vector<NodeChannels> moved_;  // by node
-    std::vector<int> others_;          // nodes that move_others moves
-    // Whether such a node lies between the bone and the next above it, which the bone's own turn
-    // does not hold then.
-    std::array<bool, motion::kBoneCount> is_apart_{};
-    std::vector<glm::mat4> world_;  // by node, as of the last pose
+    std::vector<bool> carries_hips_;   // nodes above the hips in the rig, which the pose moves
+    std::vector<glm::mat4> world_;     // by node, as of the last time that was asked for
     float duration_ = 0.0F;
 };
 

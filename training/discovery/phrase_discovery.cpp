@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -47,19 +48,26 @@ double hand_speed(const TrainingClip& clip, std::span<const Pose> poses, const S
     return speeds.empty() ? 0.0 : lower_percentile(std::move(speeds), 0.95);
 }
 
-// The ways to count that differ, each with the probability of those about its tempo. Half and twice
-// as many beats as the first are kept for agree_on_octaves, though they be unlikely.
+// The ways to count that differ, each as likely, beside the others, as the likeliest about its
+// tempo: a long clip has more of them about a fast tempo than about a slow one. Half and twice as
+// many beats as the first are kept for agree_on_octaves, though they be unlikely.
 std::vector<PhraseCount> told_apart(std::span<const PhraseCount> counts) {
     std::vector<PhraseCount> apart;
     for (const PhraseCount& count : counts) {
-        const auto about = std::find_if(apart.begin(), apart.end(), [&](const PhraseCount& other) {
-            return std::abs(other.bpm / count.bpm - 1.0) < kSameTempo;
-        });
-        if (about == apart.end()) {
+        const bool is_apart =
+            std::none_of(apart.begin(), apart.end(), [&](const PhraseCount& other) {
+                return std::abs(other.bpm / count.bpm - 1.0) < kSameTempo;
+            });
+        if (is_apart) {
             apart.push_back(count);
-        } else {
-            about->probability += count.probability;
         }
+    }
+    const double sum =
+        std::accumulate(apart.begin(), apart.end(), 0.0, [](double so_far, const PhraseCount& one) {
+            return so_far + one.probability;
+        });
+    for (PhraseCount& count : apart) {
+        count.probability /= sum;
     }
     const int beats = apart.front().beats;
     std::erase_if(apart, [beats](const PhraseCount& count) {

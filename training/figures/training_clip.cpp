@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "motion/figures/phrase_tempo.hpp"
+#include "motion/skeleton/body/body_finder.hpp"
 #include "motion/skeleton/body/retarget.hpp"
 #include "motion/skeleton/skeleton.hpp"
 
@@ -112,11 +113,10 @@ Expected<TrainingClip> load_clip(const fs::path& path,
     for (const std::string& note : notes) {
         warnings.push_back(path.filename().string() + ": " + note);
     }
-    if (!units.metres_per_unit && !units.height && !motion->metres_per_unit) {
-        warnings.push_back(fmt::format("{}: its unit is taken for {}: {}",
-                                       path.filename().string(),
-                                       unit_name(body->metres_per_unit),
-                                       standing->body.size.reason));
+    const bool is_unit_known = units.metres_per_unit || units.height || motion->metres_per_unit;
+    if (!is_unit_known && !standing->body.is_unit_doubtful()) {
+        warnings.push_back(path.filename().string() + ": " +
+                           unit_note(body->metres_per_unit, standing->body.size.reason));
     }
     TrainingClip clip;
     clip.name = take_name(path);

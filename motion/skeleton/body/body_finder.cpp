@@ -13,6 +13,14 @@ constexpr double kDoubtful = 0.6;  // confidence below which what was taken is s
 
 }  // namespace
 
+std::string unit_note(double metres_per_unit, const std::string& reason) {
+    return fmt::format("one unit is taken for {}: {} (--unit, --height or --scale sets it)",
+                       unit_name(metres_per_unit),
+                       reason);
+}
+
+bool FoundBody::is_unit_doubtful() const noexcept { return size.confidence < kDoubtful; }
+
 std::vector<std::string> FoundBody::notes() const {
     std::vector<std::string> notes;
     if (up.confidence < kDoubtful) {
@@ -24,10 +32,8 @@ std::vector<std::string> FoundBody::notes() const {
     if (rest.kind == RestKind::other) {
         notes.push_back(rest.reason);
     }
-    if (size.confidence < kDoubtful) {
-        notes.push_back(fmt::format("one unit is taken for {} ({}); --unit or --height sets it",
-                                    unit_name(size.metres_per_unit),
-                                    size.reason));
+    if (is_unit_doubtful()) {
+        notes.push_back(unit_note(size.metres_per_unit, size.reason));
     }
     notes.insert(notes.end(), size.notes.begin(), size.notes.end());
     return notes;

@@ -40,7 +40,12 @@ struct FoundBody {
     [[nodiscard]] const HumanoidMapping& mapping() const noexcept { return joints.mapping; }
     /// Lines to say: what was taken in doubt, and the option that sets it; those of `joints` apart.
     [[nodiscard]] std::vector<std::string> notes() const;
+    /// Whether the unit is one of what they say.
+    [[nodiscard]] bool is_unit_doubtful() const noexcept;
 };
+
+/// One line that says which unit was taken, and the options that set it. `reason`: why it.
+[[nodiscard]] std::string unit_note(double metres_per_unit, const std::string& reason);
 
 /// Finds the body of a clip: joints, then up from where its head and feet are (up_finder.hpp), the
 /// rest pose from its bones (rest_pose.hpp) and the unit from its size (size_finder.hpp). Errors:

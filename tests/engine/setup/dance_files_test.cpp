@@ -239,6 +239,11 @@ TEST_F(DancesOfBoth, say_in_a_line_why_they_are_danced_of_figures) {
     EXPECT_EQ(material_notes(settings_, catalogue()),
               std::vector<std::string>{"material: mine is danced of figures: takes of people are "
                                        "not of --generator frames"});
+    // Which dance will be shown is not known then.
+    settings_.dance = "auto";
+    settings_.generator = Settings().generator;
+    settings_.formation = "couple";
+    EXPECT_TRUE(material_notes(settings_, catalogue()).empty());
 }
 
 TEST_F(DancesOfBoth, are_danced_of_both_in_turn) {

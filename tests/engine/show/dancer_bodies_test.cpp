@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/avatar/avatar_rig.hpp"
+
 namespace raks::engine {
 namespace {
 
@@ -106,6 +108,27 @@ TEST(DancerBodies, of_differing_sizes_keep_the_places_that_the_largest_need) {
     EXPECT_NEAR(dancers[0].pose.hips_position.y, 0.9F, 1e-5F);
     EXPECT_NEAR(dancers[1].pose.hips_position.y, 1.8F, 1e-5F);
     EXPECT_NEAR(dancers[1].pose.hips_position.z, 1.0F, 1e-5F);
+}
+
+TEST(DancerBodies, a_clip_moves_what_a_pose_does_not_hold) {
+    render::Model model;
+    model.nodes.resize(2);
+    model.nodes[0].children = {1};
+    model.nodes[1].parent = 0;
+    model.roots = {0};
+    model.character.humanoid.nodes[0] = 0;
+    auto avatar = std::make_shared<render::Avatar>(*plain_avatar());
+    avatar->rig = std::make_shared<const render::AvatarRig>(render::build_rig(model));
+    DancerBodies bodies = bodies_of({{{kFirst, avatar}}});
+    const std::vector<motion::PoseTrack> tracks(1);
+    DancedMoment danced{.tracks = tracks, .moment = {}, .lead = {}};
+    danced.move_others = [](const motion::Pose& /*pose*/,
+                            const render::JointTree& /*tree*/,
+                            render::JointState& state) { state.translations[1].y = 2.0F; };
+    const auto dancers = bodies.at(danced, {}, {});
+    ASSERT_NE(dancers.front().state, nullptr);
+    const std::vector<glm::mat4>& world = dancers.front().state->joints.world;
+    EXPECT_EQ(world[1][3].y - world[0][3].y, 2.0F);
 }
 
 TEST(DancerBodies, a_body_that_is_worn_twice_is_one_in_the_renderer) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/avatar/avatar_rig.hpp"
+#include "render/model/finite.hpp"
 #include "tests/render/avatar/tiny_model.hpp"
 
 #include <glm/geometric.hpp>
@@ -28,6 +29,9 @@ BoneRest rest_of(const Model& model) {
     const JointTree tree = build_joint_tree(model);
     const JointState rest = rest_state(tree.joints);
     BoneRest bones;
+    for (const ModelNode& node : model.nodes) {
+        bones.parents.push_back(node.parent);
+    }
     for (std::size_t bone = 0; bone < bones.world.size(); ++bone) {
         const int joint = tree.joint_of(model.character.humanoid.nodes[bone]);
         const int above = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].parent;
@@ -45,6 +49,7 @@ void add_clip(const AvatarRig& rig, const JointState& state, Model& model) {
     for (std::size_t joint = 0; joint < rig.tree.joints.size(); ++joint) {
         const glm::quat& q = state.rotations[joint];
         const glm::vec3& p = state.translations[joint];
+        const glm::vec3& s = state.scales[joint];
         clip.channels.push_back({.node = rig.tree.nodes[joint],
                                  .path = ChannelPath::rotation,
                                  .times = {1.0F},
@@ -53,6 +58,22 @@ void add_clip(const AvatarRig& rig, const JointState& state, Model& model) {
                                  .path = ChannelPath::translation,
                                  .times = {1.0F},
                                  .values = {p.x, p.y, p.z}});
+        clip.channels.push_back({.node = rig.tree.nodes[joint],
+                                 .path = ChannelPath::scale,
+                                 .times = {1.0F},
+                                 .values = {s.x, s.y, s.z}});
+    }
+}
+
+void expect_same_places(const AvatarRig& rig, const JointState& is, const JointState& meant) {
+    for (std::size_t joint = 0; joint < rig.tree.joints.size(); ++joint) {
+        EXPECT_LT(glm::distance(is.world[joint][3], meant.world[joint][3]), 1e-4F)
+            << rig.tree.joints[joint].name;
+        EXPECT_TRUE(
+            is_same_rotation(rotation_of(is.world[joint]), rotation_of(meant.world[joint]), 2e-3F))
+            << rig.tree.joints[joint].name;
+        EXPECT_NEAR(scale_of(is.world[joint]), scale_of(meant.world[joint]), 1e-4F)
+            << rig.tree.joints[joint].name;
     }
 }
 
@@ -106,20 +127,71 @@ TEST(NodeClip, others_that_are_moved_show_the_clip_as_it_is) {
         const float angle = 0.1F * static_cast<float>(1 + joint % 5);
         meant.joints.rotations[joint] =
             meant.joints.rotations[joint] * turn_about_x(angle) * turn_about_y(-angle);
+        meant.joints.translations[joint] += glm::vec3(0.02F * angle, -0.01F, 0.03F * angle);
+        meant.joints.scales[joint] *= 1.0F + 0.1F * angle;
     }
     update_world(rig.tree.joints, meant.joints);
     add_clip(rig, meant.joints, model);
     NodeClip clip(model, 0, rest_of(model), OtherNodes::moved);
     RigState state(rig);
     const motion::Pose pose = clip.pose_at(1.0F);
-    clip.move_others(1.0F, rig.tree, state.joints);
+    clip.move_others(1.0F, pose.hips_position, rig.tree, state.joints);
     pose_joints(rig, pose, 1.0F, state);
-    for (std::size_t joint = 0; joint < rig.tree.joints.size(); ++joint) {
-        const glm::mat4& is = state.joints.world[joint];
-        const glm::mat4& should_be = meant.joints.world[joint];
-        EXPECT_LT(glm::distance(is[3], should_be[3]), 1e-4F) << rig.tree.joints[joint].name;
-        EXPECT_TRUE(is_same_rotation(rotation_of(is), rotation_of(should_be), 2e-3F))
-            << rig.tree.joints[joint].name;
+    expect_same_places(rig, state.joints, meant.joints);
+}
+
+// As feet of a rig for inverse kinematics, which hang below the legs in the body that dances.
+TEST(NodeClip, a_foot_that_hangs_elsewhere_is_where_the_clip_has_it) {
+    const Model body = humanoid_model();
+    const HumanoidMap& map = body.character.humanoid;
+    const int foot = map.nodes[motion::index_of(Bone::left_foot)];
+    const int leg = map.nodes[motion::index_of(Bone::left_upper_leg)];
+    Model file = body;
+    ModelNode& moved = file.nodes[static_cast<std::size_t>(foot)];
+    std::erase(file.nodes[static_cast<std::size_t>(moved.parent)].children, foot);
+    moved.parent = map.nodes[0];
+    file.nodes[static_cast<std::size_t>(moved.parent)].children.push_back(foot);
+    const JointTree tree = build_joint_tree(file);
+    JointState meant = rest_state(tree.joints);
+    const auto foot_of_file = static_cast<std::size_t>(tree.joint_of(foot));
+    meant.translations[foot_of_file] = {0.1F, -0.7F, 0.2F};
+    meant.rotations[foot_of_file] = turn_about_x(0.5F);
+    meant.rotations[static_cast<std::size_t>(tree.joint_of(leg))] = turn_about_x(-0.8F);
+    update_world(tree.joints, meant);
+    AvatarRig rig_of_file;
+    rig_of_file.tree = tree;
+    add_clip(rig_of_file, meant, file);
+
+    const AvatarRig rig = build_rig(body);
+    NodeClip clip(file, 0, rest_of(body), OtherNodes::moved);
+    RigState state(rig);
+    const motion::Pose pose = clip.pose_at(1.0F);
+    clip.move_others(1.0F, pose.hips_position, rig.tree, state.joints);
+    pose_joints(rig, pose, 1.0F, state);
+    for (const int node : {foot, leg}) {
+        const glm::mat4& is = state.joints.world[static_cast<std::size_t>(rig.tree.joint_of(node))];
+        const glm::mat4& should_be = meant.world[static_cast<std::size_t>(tree.joint_of(node))];
+        EXPECT_LT(glm::distance(is[3], should_be[3]), 1e-4F) << node;
+        EXPECT_TRUE(is_same_rotation(rotation_of(is), rotation_of(should_be), 2e-3F));
+    }
+}
+
+TEST(NodeClip, a_clip_without_size_moves_nothing_out_of_the_world) {
+    Model model = humanoid_model();
+    const BoneRest rest = rest_of(model);
+    model.animations.emplace_back().channels.push_back(
+        {.node = model.character.humanoid.nodes[motion::index_of(Bone::chest)],
+         .path = ChannelPath::scale,
+         .times = {0.0F},
+         .values = {0.0F, 0.0F, 0.0F}});
+    const AvatarRig rig = build_rig(model);
+    NodeClip clip(model, 0, rest, OtherNodes::moved);
+    RigState state(rig);
+    const motion::Pose pose = clip.pose_at(0.0F);
+    clip.move_others(0.0F, pose.hips_position, rig.tree, state.joints);
+    pose_joints(rig, pose, 1.0F, state);
+    for (const glm::mat4& world : state.joints.world) {
+        EXPECT_TRUE(is_finite(world));
     }
 }
 

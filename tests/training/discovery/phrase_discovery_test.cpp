@@ -44,6 +44,20 @@ TEST(PhraseDiscovery, all_of_a_clip_is_learnt) {
     }
 }
 
+// Of a long clip many counts are about one tempo, and more of them about a fast one.
+TEST(PhraseDiscovery, the_way_that_is_taken_is_the_likeliest) {
+    test::SteppingDance dance = two_repeats();
+    dance.repeats = 10;
+    const auto found = whole_phrase(test::stepping_clip(dance));
+    ASSERT_TRUE(found) << found.error().message;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < found->counts.size(); ++i) {
+        sum += found->counts[i].probability;
+        EXPECT_LE(found->counts[i].probability, found->counts[0].probability) << i;
+    }
+    EXPECT_LE(sum, 1.0 + 1e-9);
+}
+
 TEST(PhraseDiscovery, a_person_may_say_the_beats_or_the_tempo) {
     const TrainingClip clip = test::stepping_clip(two_repeats());
     DiscoveryOptions options;

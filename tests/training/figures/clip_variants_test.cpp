@@ -57,6 +57,23 @@ class ClipVariants : public ::testing::Test {
     raks::test::TemporaryFolder folder_;
 };
 
+TEST_F(ClipVariants, have_their_unit_said_in_one_line) {
+    // The second is none that is usual, which is doubtful.
+    for (const double unit : {0.0254, 0.3}) {
+        const auto path = folder_.path() / "clip.bvh";
+        std::ofstream(path) << bvh_text(in_unit(own_dance(), unit));
+        std::vector<std::string> warnings;
+        ASSERT_TRUE(load_clip(path, ClipUnits{}, warnings));
+        EXPECT_EQ(std::count_if(warnings.begin(),
+                                warnings.end(),
+                                [](const std::string& line) {
+                                    return line.find("is taken for") != std::string::npos;
+                                }),
+                  1)
+            << unit;
+    }
+}
+
 TEST_F(ClipVariants, teach_the_same_figure) {
     const std::vector<double> expected = learnt(own_dance());
     ASSERT_GT(expected.size(), 500U);
