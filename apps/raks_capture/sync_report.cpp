@@ -123,10 +123,10 @@ std::string music_text(const SongSync& clock, const SyncPlan& plan) {
         "format = \"raks-music\"\nversion = 1\n"
         "file = {}\nbegins = {}\ndrift_ppm = {}\nconfidence = {}\noffset = {}\n",
         toml_quoted(plan.music->string()),
-        clock.line.offset,
-        clock.line.drift_ppm,
-        clock.confidence,
-        clock.song_time(0.0));
+        clock.line.offset + 0.0,  // no -0, which would be read as a whole number
+        clock.line.drift_ppm + 0.0,
+        clock.confidence + 0.0,
+        clock.song_time(0.0) + 0.0);
 }
 
 Expected<SongSync> read_music(std::string_view text, const std::string& file) {

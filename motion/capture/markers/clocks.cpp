@@ -60,7 +60,7 @@ std::string clocks_text(const std::vector<Clock>& clocks) {
                         toml_quoted(clock.camera),
                         clock.offset + 0.0,  // no -0, which would be read as a whole number
                         clock.drift_ppm + 0.0,
-                        clock.confidence);
+                        clock.confidence + 0.0);
     }
     return text;
 }
