@@ -32,7 +32,11 @@ constexpr double kStepDeviation = 0.1;
 // steps tell no more than so many.
 constexpr double kMostStepsTold = 20.0;
 constexpr double kLeanDeviation = 0.05;  // radians of the body's mean lean
-constexpr double kMostLean = 0.6;        // radians of a body that stands
+// Radians by which the pictures of a phone on a shelf or tripod are turned, and beyond which they
+// are turned on purpose and count a quarter and less.
+constexpr double kRollDeviation = 0.05;
+constexpr double kMostRoll = 0.15;
+constexpr double kMostLean = 0.6;  // radians of a body that stands
 
 constexpr std::array<BodyPoint, 6> kFeet = {BodyPoint::left_ankle,
                                             BodyPoint::right_ankle,
@@ -197,9 +201,10 @@ std::optional<glm::dvec3> mean_lean(const DancerSights& sights) {
     return glm::length(lean) > 0.5 ? std::optional(glm::normalize(lean)) : std::nullopt;
 }
 
-// Up by the toes that stood and by the lean. All toes that stand are at one height. Ankles and
-// heels are not: who steps ahead and back lifts the heel that is behind, always on the same side.
-glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean) {
+// Up by the toes that stood, by the lean, and by the cameras, whose rows are mostly level. All toes
+// that stand are at one height. Ankles and heels are not: who steps ahead and back lifts the heel
+// that is behind, always on the same side.
+glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean, const Rig& rig) {
     const glm::dvec3 side = glm::normalize(
         glm::cross(lean, std::abs(lean.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
     const glm::dvec3 ahead = glm::cross(lean, side);
@@ -209,15 +214,24 @@ glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean) {
             toes.push_back(step.place);
         }
     }
-    if (toes.empty()) {
-        return lean;
-    }
-    const double share = std::min(1.0, kMostStepsTold / static_cast<double>(toes.size()));
+    const double share =
+        std::min(1.0, kMostStepsTold / static_cast<double>(std::max<std::size_t>(1, toes.size())));
     // Up is lean + a side + b ahead.
     glm::dvec2 tilt{};
     for (int round = 0; round < 8; ++round) {
         const glm::dvec3 up = lean + tilt.x * side + tilt.y * ahead;
-        const double usual = middle_of(heights_of(steps, kToesKind, up));
+        glm::dmat2 matrix(1.0 / (kLeanDeviation * kLeanDeviation));
+        glm::dvec2 vector{};
+        for (const Camera& camera : rig.cameras) {
+            const glm::dvec3 row = glm::transpose(camera.rotation) * glm::dvec3(1.0, 0.0, 0.0);
+            const double roll = glm::dot(row, up);
+            const double trust = 1.0 / (1.0 + roll * roll / (kMostRoll * kMostRoll));
+            const double weight = trust * trust / (kRollDeviation * kRollDeviation);
+            const glm::dvec2 at(glm::dot(row, side), glm::dot(row, ahead));
+            matrix += weight * glm::outerProduct(at, at);
+            vector -= weight * glm::dot(row, lean) * at;
+        }
+        const double usual = toes.empty() ? 0.0 : middle_of(heights_of(steps, kToesKind, up));
         const auto weight_of = [&](const glm::dvec3& place) {
             const double off = glm::dot(place, up) - usual;
             return share / (kStepDeviation * kStepDeviation + off * off);
@@ -228,9 +242,7 @@ glm::dvec3 vertical_of(const std::vector<Step>& steps, const glm::dvec3& lean) {
             weights += weight_of(place);
             mean += weight_of(place) * place;
         }
-        mean /= weights;
-        glm::dmat2 matrix(1.0 / (kLeanDeviation * kLeanDeviation));
-        glm::dvec2 vector{};
+        mean = weights > 0.0 ? mean / weights : mean;
         for (const glm::dvec3& place : toes) {
             const double weight = weight_of(place);
             const glm::dvec3 off = place - mean;
@@ -290,7 +302,7 @@ Expected<DancerFloor> put_on_dancers_floor(Rig& rig, const Tracks& tracks, doubl
             "the dancer's feet are hardly seen standing, so nobody can tell where the floor is: "
             "both feet must be in view of two cameras");
     }
-    const glm::dvec3 up = vertical_of(steps, *lean);
+    const glm::dvec3 up = vertical_of(steps, *lean, rig);
     DancerFloor floor;
     floor.steps = steps.size();
     floor.disagreement = std::acos(std::clamp(glm::dot(up, *lean), -1.0, 1.0)) * 180.0 / M_PI;

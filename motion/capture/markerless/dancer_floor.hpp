@@ -19,8 +19,9 @@ struct DancerFloor {
 
 /// Moves a rig so that up is y, the floor is y = 0, the dancer's mean place lies over the origin
 /// and the first camera stands at +z. `tracks`: of the keypoints, in the rig's axes. Up is where
-/// the centre of mass lies over the feet on average, and across what the toes that stand have in
-/// common: both together. Errors, one line: feet that are hardly seen; a body that lies.
+/// the centre of mass lies over the feet on average, across what the toes that stand have in
+/// common, and across the rows of the pictures, where these are about level: all three together.
+/// Errors, one line: feet that are hardly seen; a body that lies.
 [[nodiscard]] Expected<DancerFloor> put_on_dancers_floor(Rig& rig,
                                                          const Tracks& tracks,
                                                          double height);
