@@ -316,6 +316,27 @@ SolvedDance DanceSolver::result() const {
     return dance;
 }
 
+/// Frames up to the last in which 3 markers of the trunk are known.
+std::size_t frames_until_unseen(const Tracks& tracks, const MarkerSet& markers) {
+    std::vector<std::size_t> trunk;
+    for (std::size_t i = 0; i < tracks.markers.size(); ++i) {
+        const auto index = markers.index_of(tracks.markers[i]);
+        if (index && is_of_trunk(markers.markers[*index].bone)) {
+            trunk.push_back(i);
+        }
+    }
+    std::size_t frames = tracks.frame_count;
+    const auto is_seen = [&](std::size_t frame) {
+        return std::count_if(trunk.begin(), trunk.end(), [&](std::size_t marker) {
+                   return is_known(tracks.at(frame, marker));
+               }) >= 3;
+    };
+    while (frames > 0 && !is_seen(frames - 1)) {
+        --frames;
+    }
+    return frames;
+}
+
 }  // namespace
 
 Expected<SolvedDance> solve(const Tracks& tracks,
@@ -341,7 +362,17 @@ Expected<SolvedDance> solve(const Tracks& tracks,
             return fail(fmt::format("frames a second are 1 to 1000, not {:.3g}", rate));
         }
     }
-    return DanceSolver(tracks, markers, options).solve();
+    // Who has walked out of the picture does not dance on.
+    const std::size_t seen = frames_until_unseen(tracks, markers);
+    if (seen == tracks.frame_count || seen < 3) {
+        return DanceSolver(tracks, markers, options).solve();
+    }
+    Tracks until = tracks;
+    until.frame_count = seen;
+    until.places.resize(seen * tracks.markers.size());
+    SolveOptions its_options = options;
+    its_options.start.resize(std::min(seen, options.start.size()));
+    return DanceSolver(until, markers, its_options).solve();
 }
 
 }  // namespace raks::capture

@@ -77,6 +77,9 @@ struct SolvedDance {
 /// weighted by its deviation (outliers count little), joint limits, soles that stand still on the
 /// floor, and accelerations like dancers': one least-squares problem over all frames.
 ///
+/// It ends with the last frame in which three markers of the trunk are known: nothing is made up
+/// for a dancer who has left.
+///
 /// Errors, one line: a track whose marker the set lacks, fewer than 6 markers or 3 frames, fewer
 /// than 3 markers of the trunk in every frame, another number of starts than of frames, rates
 /// outside of 1 to 1,000 a second, a height outside of 0.8 to 2.5 m, a body whose markers give such

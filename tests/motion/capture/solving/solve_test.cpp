@@ -210,6 +210,20 @@ TEST(Solve, follows_a_dancer_who_spins_and_bridges_gaps) {
     EXPECT_LT(away.feet, 0.04);
 }
 
+TEST(Solve, ends_where_the_dancer_has_left) {
+    Measuring how;
+    how.frames = 60;
+    TrueDance truth = measured("waltz", 0, how);
+    for (std::size_t frame = 40; frame < truth.tracks.frame_count; ++frame) {
+        for (std::size_t marker = 0; marker < truth.tracks.markers.size(); ++marker) {
+            truth.tracks.at(frame, marker) = MarkerPlace{};
+        }
+    }
+    const auto solved = solve(truth.tracks, truth.markers, {.height = kMannequinHeight});
+    ASSERT_TRUE(solved) << solved.error().message;
+    EXPECT_EQ(solved->poses.size(), 40U);
+}
+
 TEST(Solve, gives_the_rate_that_was_asked_for) {
     Measuring how;
     how.every = 2;
