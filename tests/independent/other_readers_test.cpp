@@ -2,7 +2,10 @@
 // pixiv's three-vrm-animation, one as VMD in babylon-mmd, one as GLB in three.js as a browser draws
 // it, avatars in `assimp info`. Skipped, with a word, where node, npm, the network, Chromium or
 // assimp is missing.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -48,6 +51,29 @@ bool is_network_fault(const std::string& message) {
     return false;
 }
 
+/// While it lives no other process that wants the packages goes on: suites run side by side, and
+/// `npm ci` begins by removing what is there.
+class OnePreparesPackages {
+ public:
+    OnePreparesPackages()
+        : file_(::open((kPackages / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+        ::flock(file_, LOCK_EX);
+    }
+    OnePreparesPackages(const OnePreparesPackages&) = delete;
+    OnePreparesPackages& operator=(const OnePreparesPackages&) = delete;
+    ~OnePreparesPackages() { ::close(file_); }
+
+ private:
+    int file_;
+};
+
+/// Copies a file where the copy is not the same already: another process may be reading it.
+void copy_if_other(const fs::path& from, const fs::path& to) {
+    if (read_file(to).value_or("") != read_file(from).value()) {
+        fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    }
+}
+
 class IndependentReaders : public ProgramTest {
  protected:
     /// The exact packages of package-lock.json; skips the test where they cannot be had.
@@ -56,6 +82,7 @@ class IndependentReaders : public ProgramTest {
         if (run_there({"npm", "--version"}).exit_code != 0) {
             GTEST_SKIP() << "node and npm are not installed";
         }
+        const OnePreparesPackages alone;
         const std::string lock = read_file(kHere / "package-lock.json").value();
         const fs::path stamp = kPackages / "installed.json";
         for (const char* name : {"package.json",
@@ -64,7 +91,7 @@ class IndependentReaders : public ProgramTest {
                                  "check_picture.mjs",
                                  "check_vmd.mjs",
                                  "picture_page.html"}) {
-            fs::copy_file(kHere / name, kPackages / name, fs::copy_options::overwrite_existing);
+            copy_if_other(kHere / name, kPackages / name);
         }
         if (read_file(stamp).value_or("") == lock) {
             return;

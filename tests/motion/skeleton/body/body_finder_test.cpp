@@ -293,7 +293,8 @@ TEST(FindSize, takes_a_unit_from_free_fall_where_none_is_usual) {
     // Without jumps: the usual height, and it is said.
     const auto standing = find_body(clip);
     EXPECT_EQ(standing->size.height, 1.7);
-    EXPECT_NE(standing->notes().back().find("--unit or --height sets it"), std::string::npos);
+    EXPECT_NE(standing->notes().back().find("--unit, --height or --scale sets it"),
+              std::string::npos);
 }
 
 }  // namespace
