@@ -42,7 +42,7 @@ void say_what_was_found(const motion::MotionClip& clip,
                         const StickArguments& arguments) {
     const std::string name = arguments.input.string();
     for (const std::string& note : recorded.notes()) {
-        say(name + ": " + note);
+        say(fmt::format("{}: {}", name, note));
     }
     const auto& body = recorded.body();
     const bool is_said = body && body->is_unit_doubtful();

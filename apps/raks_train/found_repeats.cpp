@@ -168,8 +168,8 @@ std::string found_lines(const motion::DiscoveredClips& found) {
                                       repeat.start / clip.clip.frames_per_second);
             }
         }
-        starts =
-            starts.empty() ? "none is like the commonest" : "learnt: those from " + starts + " s";
+        starts = starts.empty() ? "none is like the commonest"
+                                : fmt::format("learnt: those from {} s", starts);
         text +=
             fmt::format("{}: {} of {} repeats of {} beats ({:.2f} s, {:.0f} BPM) are alike; {}\n",
                         printable(clip.take),

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 // After a seek in Vorbis, libsndfile 1.2.0 is wrong for up to 1000 samples, and 1000 samples late
 // in the last page (a page holds up to about a second). So seeks go this far before the target and
-// read on to it.
+// read on to it. From some places they are late by as much however far they go; from the start they
+// are not, so that they go there first.
 constexpr double kVorbisPrerollSeconds = 2.0;
 constexpr double kLeastMissing = 0.01;  // seconds: less is padding
 
@@ -103,7 +104,8 @@ class SndfileReader final : public AudioFileReader {
         if (is_behind_end_) {
             return {};
         }
-        if (sf_seek(file_.get(), from, SEEK_SET) != from) {
+        const bool is_at_start = preroll_ == 0 || sf_seek(file_.get(), 0, SEEK_SET) == 0;
+        if (!is_at_start || sf_seek(file_.get(), from, SEEK_SET) != from) {
             return fail(fmt::format("{}: cannot go to {:.2f} s: {}",
                                     input_.path.string(),
                                     static_cast<double>(frame) / info_.rate.hertz(),

@@ -71,9 +71,8 @@ class AvatarClip {
 
     /// Moves what a pose does not hold (helpers, hair, parts of a face; bones that are shifted or
     /// change their size) on the model whose own clip this is, where AvatarClipOptions::others says
-    /// so; else nothing. To be called before
-    /// render::pose_avatar with the pose of that time. `tree`: of the model that AvatarClipOptions
-    /// names.
+    /// so; else nothing. To be called before render::pose_avatar with the pose of that time.
+    /// `tree`: of the model that AvatarClipOptions names.
     void move_others(double seconds,
                      const motion::Pose& pose,
                      const render::JointTree& tree,

@@ -175,6 +175,7 @@ Expected<DanceContent> make_content(std::span<const FigureModel> figures,
     }
     const std::vector<FigurePath> ways = closed_paths(figures, skeleton, grammar);
     std::vector<bool> turns_half;
+    turns_half.reserve(ways.size());
     for (const FigurePath& way : ways) {
         turns_half.push_back(way.half_turns % 2 != 0);
     }

@@ -102,7 +102,7 @@ Expected<void> JsonFaults::finish() const {
     return {};
 }
 
-void JsonFaults::add(std::string line) {
+void JsonFaults::add(const std::string& line) {
     if (!first_) {
         first_ = Error{printable(line)};
     }

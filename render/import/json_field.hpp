@@ -31,7 +31,7 @@ class JsonFaults {
     /// Fails with the first fault, if there was one.
     [[nodiscard]] Expected<void> finish() const;
     /// Keeps a fault, if it is the first.
-    void add(std::string line);
+    void add(const std::string& line);
 
  private:
     friend class JsonField;

@@ -150,7 +150,7 @@ void Director::begin() noexcept {
     move_seconds_ = 0.0;
     glide_seconds_ = 0.0;
     begins_ = last_change_ = now_;
-    length_ = kLengths[static_cast<std::size_t>(Pace::usual)].x;
+    length_ = static_cast<double>(kLengths[static_cast<std::size_t>(Pace::usual)].x);
     bar_position_.reset();
     drop_at_.reset();
     next_.reset();
@@ -398,7 +398,8 @@ float Director::yaw_for(float low, float high, std::span<const WorldPose> dancer
         low = std::max(low, kThreeQuartersLow);
         high = std::max(high, kThreeQuartersHigh);
     }
-    const auto degrees = static_cast<float>(dice_.uniform(low, high));
+    const auto degrees =
+        static_cast<float>(dice_.uniform(static_cast<double>(low), static_cast<double>(high)));
     const float drawn = glm::radians(degrees);
     if (dancers.size() != 2) {
         return side_ * drawn;
@@ -469,7 +470,8 @@ float Director::progress(double begins, double seconds) const noexcept {
 void Director::draw_length(Pace pace) noexcept {
     const glm::vec2 range = kLengths[static_cast<std::size_t>(pace)];
     const double longest = static_cast<double>(rule_of(shown_.shot).longest);
-    length_ = std::min(dice_.uniform(range.x, range.y), longest);
+    length_ = std::min(dice_.uniform(static_cast<double>(range.x), static_cast<double>(range.y)),
+                       longest);
     if (liveliness_ == Liveliness::calm) {
         length_ = std::min(kLongerWhenCalm * length_, longest);
     }

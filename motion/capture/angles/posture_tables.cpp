@@ -86,7 +86,7 @@ TablePair pair_of(const MarkPicture& from, const MarkPicture& to) {
         for (glm::length_t row = 0; row < 3; ++row) {
             const double scale =
                 (row == 2 ? kFocalLength : 1.0) / (column == 2 ? 1.0 : kFocalLength);
-            pair.lines[static_cast<std::size_t>(3 * row + column)] =
+            pair.lines[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)] =
                 static_cast<float>(scale * line[row]);
         }
     }

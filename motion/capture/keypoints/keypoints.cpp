@@ -87,7 +87,7 @@ Expected<double> number_within(std::string_view cell,
                                std::string_view what,
                                double least,
                                double greatest) {
-    const Expected<double> number = motion::number_of_cell(cell);
+    Expected<double> number = motion::number_of_cell(cell);
     if (!number) {
         return number;
     }

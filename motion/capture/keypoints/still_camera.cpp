@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kFewestPlaces = 8;
 constexpr std::size_t kMostPlaces = 240;  // more are taken together
 // Shares of the picture's longer side. Backgrounds of still cameras, filmed and compressed, wander
-// by up to 0.0005.
+// by up to 0.0002.
 constexpr double kLeastCameraStep = 0.003;
 constexpr double kLeastCameraWander = 0.0025;
 constexpr double kLeastCameraZoom = 0.03;  // a lens that finds its focus changes sizes by 1 %

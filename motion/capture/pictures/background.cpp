@@ -81,7 +81,8 @@ bool holds_piece(const Grey& grey, const glm::dvec2& middle) {
 
 /// What a piece looks like, and how that changes with its place.
 struct PieceModel {
-    static constexpr std::size_t kPixels = (2 * kRadius + 1) * (2 * kRadius + 1);
+    static constexpr std::size_t kSide = 2 * kRadius + 1;
+    static constexpr std::size_t kPixels = kSide * kSide;
     std::array<float, kPixels> values{};  // without their mean
     std::array<float, kPixels> slope_x{};
     std::array<float, kPixels> slope_y{};

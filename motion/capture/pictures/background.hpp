@@ -30,7 +30,7 @@ struct PictureBounds {
 /// Follows small pieces of the first picture that have corners through later ones, by least squares
 /// on a pyramid of small grey pictures (Lucas and Kanade 1981); what most of them agree on is the
 /// background's move, so that people and shadows in it do not count. A move is found to about a
-/// tenth of a thousandth of the picture's width, and up to a twelfth of it at once. Threads: one.
+/// tenth of a thousandth of the picture's width, and up to a twentieth of it at once. Threads: one.
 /// Real-time: no.
 class BackgroundFollower {
  public:
