@@ -27,6 +27,9 @@ GLFWmonitor* monitor_under(const Rectangle& own) {
     long best_area = 0;
     for (GLFWmonitor* const monitor : all_monitors()) {
         const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+        if (mode == nullptr) {
+            continue;
+        }
         int x = 0;
         int y = 0;
         glfwGetMonitorPos(monitor, &x, &y);

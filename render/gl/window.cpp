@@ -100,6 +100,10 @@ struct Window::State {
     DoubleClick double_click;
     unsigned (*reset_status)() = nullptr;  // null: the driver cannot tell
     bool has_lost_context = false;
+    // Kept: asking the system for each picture costs a round trip to the display's server, and
+    // GLFW does not survive one whose answer never comes.
+    std::optional<double> refresh_rate;
+    bool has_moved = false;  // since the rate was asked for
 
     State() = default;
     State(const State&) = delete;
@@ -120,6 +124,7 @@ struct Window::State {
     void on_mouse(double x, double y);
     void show_or_hide_pointer();
     void fill(GLFWmonitor* monitor);
+    void follow_monitor();
     [[nodiscard]] bool is_lost() const noexcept { return has_lost_context || is_display_lost(); }
     [[nodiscard]] float pixels_per_unit() const;
     [[nodiscard]] bool is_key_down(int key) const { return glfwGetKey(handle, key) == GLFW_PRESS; }
@@ -150,6 +155,19 @@ void Window::State::listen() {
     glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
         self(window)->arriving.emplace_back(DropEvent{{paths, paths + count}});
     });
+    const auto on_move = [](GLFWwindow* window, int, int) { self(window)->has_moved = true; };
+    glfwSetWindowPosCallback(handle, on_move);
+    glfwSetWindowSizeCallback(handle, on_move);
+}
+
+// Its rate is the pace from now on.
+void Window::State::follow_monitor() {
+    has_moved = false;
+    const std::optional<double> now = refresh_rate_of(handle);
+    if (now != refresh_rate) {
+        refresh_rate = now;
+        limiter = limiter_for(max_fps, refresh_rate);
+    }
 }
 
 void Window::State::on_key(int glfw_key, int action, int modifiers) {
@@ -333,7 +351,8 @@ Expected<Window> Window::create(const WindowOptions& options) {
     state->reset_status =
         options.reset_status != nullptr ? options.reset_status : reset_status_of(state->handle);
     state->max_fps = options.max_fps;
-    state->limiter = limiter_for(options.max_fps, refresh_rate_of(state->handle));
+    state->refresh_rate = refresh_rate_of(state->handle);
+    state->limiter = limiter_for(state->max_fps, state->refresh_rate);
     // Behind everything that can fail, so that no callback sees a half-made state.
     state->listen();
     Window window(std::move(state));
@@ -347,6 +366,9 @@ std::span<const WindowEvent> Window::poll_events() {
     if (!state_->is_lost()) {
         glfwPollEvents();
         state_->show_or_hide_pointer();
+    }
+    if (state_->has_moved && !state_->is_lost()) {
+        state_->follow_monitor();
     }
     // The two vectors keep their storage: no allocation once they have grown.
     state_->delivered.clear();
@@ -388,9 +410,7 @@ float Window::content_scale() const {
     return scale;
 }
 
-double Window::refresh_rate() const {
-    return refresh_rate_of(state_->handle).value_or(kUsualRefreshRate);
-}
+double Window::refresh_rate() const { return state_->refresh_rate.value_or(kUsualRefreshRate); }
 
 void Window::present() {
     if (state_->is_lost()) {
@@ -444,7 +464,7 @@ std::string Window::go_to_next_monitor() {
 // Rate and vertical sync of the monitor that the window is on now.
 void Window::follow_monitor() {
     glfwSwapInterval(1);  // some drivers forget it with the mode
-    state_->limiter = limiter_for(state_->max_fps, refresh_rate_of(state_->handle));
+    state_->follow_monitor();
 }
 
 std::optional<WindowPlace> Window::place() const {
