@@ -16,6 +16,7 @@
 #include "engine/setup/told_genre.hpp"
 #include "tests/engine/installed.hpp"
 #include "tests/support/dances.hpp"
+#include "tests/support/sanitized.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace raks::engine {
@@ -101,6 +102,9 @@ TEST_F(TaggedMusic, a_right_tag_is_danced_from_the_first_beat_in_every_format) {
         for (const MusicState& state : known_ahead(file, installed::models())) {
             ASSERT_EQ(state.genre, shipped::belly) << to_seconds(state.time);
         }
+        if (raks::test::kIsSanitized) {
+            break;
+        }
     }
 }
 
@@ -127,6 +131,9 @@ TEST_F(TaggedMusic, a_wrong_tag_is_outvoted_within_20_seconds) {
         const auto ahead = known_ahead(file, installed::models());
         EXPECT_EQ(shown_at(ahead, 0.0), c.right) << "known ahead it is never danced";
         EXPECT_FALSE(ahead.front().is_genre_told);
+        if (raks::test::kIsSanitized) {
+            break;
+        }
     }
 }
 

@@ -17,6 +17,7 @@
 #include "motion/evaluate/motion_alignment.hpp"
 #include "motion/evaluate/motion_comparison.hpp"
 #include "tests/motion/capture/markerless/keypoint_scene.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -77,9 +78,9 @@ std::vector<double> errors_of(const KeypointTake& take) {
 }
 
 TEST(DancerCalibration, two_cameras_and_a_height_give_the_dance) {
-#if defined(RAKS_SANITIZED)
-    GTEST_SKIP() << "it takes minutes under a sanitizer, which the next test is for";
-#endif
+    if (raks::test::kIsSanitized) {
+        GTEST_SKIP() << "it takes minutes under a sanitizer, which the next test is for";
+    }
     const DancerScene scene = scene_of({0.0, 90.0}, 623.0, 12.0);
     const auto done =
         calibrate_by_dancer(scene.take, dancer_cameras_of(scene.rig, false), kMannequinHeight);

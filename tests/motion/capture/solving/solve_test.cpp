@@ -13,6 +13,7 @@
 #include "motion/choreography/figure_evaluation.hpp"
 #include "motion/evaluate/body_track.hpp"
 #include "motion/evaluate/dance_metrics.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -141,13 +142,6 @@ Distances distances(const TrueDance& truth, const SolvedDance& solved) {
     return found;
 }
 
-// A minute and more each under a sanitizer, where the other tests go the same ways.
-#if defined(RAKS_SANITIZED)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
-
 TEST(Solve, finds_joints_feet_and_motion_of_another_body_with_markers_elsewhere) {
     struct Case {
         const char* dance;
@@ -169,14 +163,14 @@ TEST(Solve, finds_joints_feet_and_motion_of_another_body_with_markers_elsewhere)
         EXPECT_GT(away.jerk, 0.5) << at.dance;
         EXPECT_LT(away.jerk, 1.3) << at.dance;
         EXPECT_NEAR(solved->size.whole, at.whole, 0.03) << at.dance;
-        if (kIsSanitized) {
+        if (raks::test::kIsSanitized) {
             break;
         }
     }
 }
 
 TEST(Solve, finds_the_height_from_the_markers_alone) {
-    if (kIsSanitized) {
+    if (raks::test::kIsSanitized) {
         GTEST_SKIP() << "another test does it under a sanitizer";
     }
     Measuring how;
@@ -190,7 +184,7 @@ TEST(Solve, finds_the_height_from_the_markers_alone) {
 }
 
 TEST(Solve, follows_a_dancer_who_spins_and_bridges_gaps) {
-    if (kIsSanitized) {
+    if (raks::test::kIsSanitized) {
         GTEST_SKIP() << "another test does it under a sanitizer";
     }
     Measuring how;
@@ -251,7 +245,7 @@ TEST(Solve, of_the_papers_body_moves_only_its_joints) {
 }
 
 TEST(Solve, tells_a_marker_that_leaves_the_body_and_does_not_follow_it) {
-    if (kIsSanitized) {
+    if (raks::test::kIsSanitized) {
         GTEST_SKIP() << "another test does it under a sanitizer";
     }
     Measuring how;
@@ -271,7 +265,7 @@ TEST(Solve, tells_a_marker_that_leaves_the_body_and_does_not_follow_it) {
 }
 
 TEST(Solve, soles_are_not_under_the_floor) {
-    if (kIsSanitized) {
+    if (raks::test::kIsSanitized) {
         GTEST_SKIP() << "another test does it under a sanitizer";
     }
     const TrueDance truth = measured("rock", 1, {});
