@@ -15,6 +15,7 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "motion/capture/calibration/lens_fit.hpp"
+#include "motion/capture/keypoints/still_camera.hpp"
 #include "motion/capture/markerless/rough_clocks.hpp"
 
 namespace raks::apps {
@@ -45,7 +46,11 @@ Expected<std::vector<capture::DancerCamera>> dancer_cameras(
     std::vector<capture::DancerCamera> cameras;
     cameras.reserve(films.size());
     for (const capture::KeypointFilm& film : films) {
-        cameras.push_back({film.camera, film.width, film.height, std::nullopt});
+        cameras.push_back({film.camera,
+                           film.width,
+                           film.height,
+                           std::nullopt,
+                           capture::surely_stood_still(film)});
     }
     const bool has_boards =
         std::all_of(plan.cameras.begin(), plan.cameras.end(), [](const PlannedCamera& camera) {

@@ -35,6 +35,7 @@ bool are_sound_keypoints(const Expected<capture::KeypointFilm>& film) {
         must_be_one_line(doubt);
     }
     must_be_one_line(capture::why_not_still(*film));
+    static_cast<void>(capture::surely_stood_still(*film));
     // Written once it is rounded; from then on it reads back to the same bits.
     const std::string written = capture::keypoints_text(*film);
     const auto again = capture::read_keypoints(written, "y");

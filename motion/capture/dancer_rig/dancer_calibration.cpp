@@ -300,7 +300,11 @@ Expected<DancerCalibration> calibrate_by_dancer(const KeypointTake& take,
         return fail(std::move(checked.error()));
     }
     doubt(cameras, *best);
-    for (std::string& line : standing_doubts(best->rig, take)) {
+    std::vector<bool> are_still;
+    for (const DancerCamera& camera : cameras) {
+        are_still.push_back(camera.is_surely_still);
+    }
+    for (std::string& line : standing_doubts(best->rig, take, are_still)) {
         best->doubts.push_back(std::move(line));
     }
     return best;

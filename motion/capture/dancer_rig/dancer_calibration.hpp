@@ -22,9 +22,10 @@ inline constexpr double kMostPairAngle = 150.0;  ///< likewise
 /// A camera that filmed the dancer.
 struct DancerCamera {
     std::string name;
-    int width = 0;               ///< of its pictures; pixels
-    int height = 0;              ///< likewise
-    std::optional<Lens> lens{};  ///< where it is known; none: guessed, and refined
+    int width = 0;                 ///< of its pictures; pixels
+    int height = 0;                ///< likewise
+    std::optional<Lens> lens{};    ///< where it is known; none: guessed, and refined
+    bool is_surely_still = false;  ///< known by its background (surely_stood_still)
 };
 
 /// A rig that was calibrated by a dancer.

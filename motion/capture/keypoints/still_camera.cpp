@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,14 +71,18 @@ std::vector<SeenBackground> without_single(Places places) {
     return steady;
 }
 
-std::vector<SeenBackground> places_of(const KeypointFilm& film) {
+std::vector<SeenBackground> backgrounds_of(const KeypointFilm& film) {
     std::vector<SeenBackground> all;
     for (const KeypointPicture& picture : film.pictures) {
         if (picture.background) {
             all.push_back({picture.time, *picture.background});
         }
     }
-    all = without_single(all);
+    return all;
+}
+
+std::vector<SeenBackground> places_of(const KeypointFilm& film) {
+    const std::vector<SeenBackground> all = without_single(backgrounds_of(film));
     if (all.size() <= kMostPlaces) {
         return all;
     }
@@ -89,6 +94,39 @@ std::vector<SeenBackground> places_of(const KeypointFilm& film) {
         few.push_back({some[some.size() / 2].time, {middle_place(some), middle_size(some)}});
     }
     return few;
+}
+
+/// How long the background is not seen.
+struct Unseen {
+    double since = 0.0;        // the film's time
+    double at_end = 0.0;       // seconds
+    double longest_gap = 0.0;  // seconds, before that
+};
+
+// Precondition: it is seen once.
+Unseen unseen_of(const KeypointFilm& film) {
+    const std::vector<SeenBackground> seen = backgrounds_of(film);
+    Unseen unseen{seen.back().time, film.pictures.back().time - seen.back().time, 0.0};
+    double last = film.pictures.front().time;
+    for (const SeenBackground& one : seen) {
+        unseen.longest_gap = std::max(unseen.longest_gap, one.time - last);
+        last = one.time;
+    }
+    return unseen;
+}
+
+// Turned so far at once that the background cannot be followed. A person who walks up to the camera
+// to end the film, or sits down before it for a while, covers it for less long.
+std::optional<double> moment_of_loss(const KeypointFilm& film) {
+    constexpr double kLost = 8.0;     // seconds
+    constexpr double kClearly = 4.0;  // times as long as ever before
+    if (backgrounds_of(film).size() < kFewestPlaces) {
+        return std::nullopt;
+    }
+    const Unseen unseen = unseen_of(film);
+    return unseen.at_end >= std::max(kLost, kClearly * unseen.longest_gap)
+               ? std::optional(unseen.since)
+               : std::nullopt;
 }
 
 /// A moment after which the background is elsewhere.
@@ -121,6 +159,12 @@ CameraStep clearest_step(Places places) {
 }  // namespace
 
 std::string why_not_still(const KeypointFilm& film) {
+    if (const auto lost = moment_of_loss(film)) {
+        return fmt::format(
+            "was turned, or is covered, at {:.1f} s of its film: nothing of its background is seen "
+            "from there on; use the films before it alone, or film again",
+            *lost);
+    }
     const std::vector<SeenBackground> seen = places_of(film);
     if (seen.size() < kFewestPlaces) {
         return {};
@@ -153,6 +197,15 @@ std::string why_not_still(const KeypointFilm& film) {
             wander);
     }
     return {};
+}
+
+bool surely_stood_still(const KeypointFilm& film) {
+    constexpr double kLongestGap = 3.0;  // seconds
+    if (backgrounds_of(film).size() < kFewestPlaces || !why_not_still(film).empty()) {
+        return false;
+    }
+    const Unseen unseen = unseen_of(film);
+    return std::max(unseen.longest_gap, unseen.at_end) <= kLongestGap;
 }
 
 }  // namespace raks::capture

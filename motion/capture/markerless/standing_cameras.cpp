@@ -127,7 +127,7 @@ double mean_square_off(const std::vector<double>& numbers, double middle) {
     return squares / static_cast<double>(numbers.size());
 }
 
-enum class StandingFault { moved, zoomed, wanders };
+enum class StandingFault { moved, zoomed, wanders, clocks };
 
 /// What is wrong with two cameras.
 struct PairFault {
@@ -185,21 +185,27 @@ std::optional<PairFault> find_zoom(const std::vector<PairSecond>& seconds) {
                     : std::nullopt;
 }
 
-std::optional<PairFault> find_fault(const std::vector<PairSecond>& seconds, double error) {
+// Of two that stood still only the clocks are asked about: who leaves the picture looks like a
+// zoom.
+std::optional<PairFault> find_fault(const std::vector<PairSecond>& seconds,
+                                    double error,
+                                    bool are_still) {
     if (seconds.size() < kFewestSeconds) {
         return std::nullopt;
     }
-    if (auto moved = find_move(seconds, error)) {
-        return moved;
-    }
-    if (auto zoomed = find_zoom(seconds)) {
-        return zoomed;
+    if (!are_still) {
+        if (auto moved = find_move(seconds, error)) {
+            return moved;
+        }
+        if (auto zoomed = find_zoom(seconds)) {
+            return zoomed;
+        }
     }
     const auto offsets = offsets_of(seconds, 0, seconds.size());
     const double wander = std::sqrt(mean_square_off(offsets, middle_number(offsets)));
-    return wander >= kLeastWander * error
-               ? std::optional(PairFault{StandingFault::wanders, 0, 0, wander, 0.0})
-               : std::nullopt;
+    const StandingFault fault = are_still ? StandingFault::clocks : StandingFault::wanders;
+    return wander >= kLeastWander * error ? std::optional(PairFault{fault, 0, 0, wander, 0.0})
+                                          : std::nullopt;
 }
 
 std::string words_of_fault(const PairFault& fault, const std::string& who) {
@@ -223,8 +229,22 @@ std::string words_of_fault(const PairFault& fault, const std::string& who) {
                 "pixels; fix the phones, and switch off what stabilises the picture",
                 who,
                 fault.amount);
+        case StandingFault::clocks:
+            return fmt::format(
+                "{} stood still, but what one of them sees wanders by {:.0f} pixels beside the "
+                "other: a film misses pictures, or a clock is off; film again without pauses",
+                who,
+                fault.amount);
     }
     return {};
+}
+
+// Of a pair the one that is not known to have stood still; of neither or both: nothing.
+std::optional<std::size_t> culprit_of(const PairFault& fault, const std::vector<bool>& are_still) {
+    if (are_still[fault.from] == are_still[fault.to]) {
+        return std::nullopt;
+    }
+    return are_still[fault.from] ? fault.to : fault.from;
 }
 
 // The camera that has part in all faults of several; nothing: there is none, or two.
@@ -241,11 +261,15 @@ std::optional<std::size_t> culprit_of(const std::vector<PairFault>& faults, std:
 
 }  // namespace
 
-std::vector<std::string> standing_doubts(const Rig& rig, const KeypointTake& take) {
+std::vector<std::string> standing_doubts(const Rig& rig,
+                                         const KeypointTake& take,
+                                         const std::vector<bool>& are_still) {
     std::vector<PairFault> faults;
     for (std::size_t from = 0; from < rig.cameras.size(); ++from) {
         for (std::size_t to = from + 1; to < rig.cameras.size(); ++to) {
-            auto fault = find_fault(seconds_of(rig, take, from, to), usual_error(take, to));
+            auto fault = find_fault(seconds_of(rig, take, from, to),
+                                    usual_error(take, to),
+                                    are_still[from] && are_still[to]);
             if (fault) {
                 fault->from = from;
                 fault->to = to;
@@ -259,9 +283,14 @@ std::vector<std::string> standing_doubts(const Rig& rig, const KeypointTake& tak
     std::vector<std::string> lines;
     lines.reserve(faults.size());
     for (const PairFault& fault : faults) {
-        lines.push_back(words_of_fault(
-            fault,
-            fmt::format("{} or {}", rig.cameras[fault.from].name, rig.cameras[fault.to].name)));
+        const auto culprit = culprit_of(fault, are_still);
+        const char* const joined = fault.fault == StandingFault::clocks ? "and" : "or";
+        lines.push_back(words_of_fault(fault,
+                                       culprit ? rig.cameras[*culprit].name
+                                               : fmt::format("{} {} {}",
+                                                             rig.cameras[fault.from].name,
+                                                             joined,
+                                                             rig.cameras[fault.to].name)));
     }
     return lines;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/dice.hpp"
@@ -67,6 +68,38 @@ TEST(StillCamera, a_hand_a_slow_turn_and_a_zoom_are_told) {
               })),
               "zooms: its background is 10 % larger in the end; switch zoom and stabilising off, "
               "and film again");
+}
+
+// Each picture from `first` to before `end` shows no background.
+KeypointFilm without_background(std::size_t first, std::size_t end) {
+    KeypointFilm film = film_of([](double) { return BackgroundPlace{}; });
+    for (std::size_t i = first; i < end; ++i) {
+        film.pictures[i].background = std::nullopt;
+    }
+    return film;
+}
+
+TEST(StillCamera, a_turn_after_which_nothing_is_as_before_is_told) {
+    EXPECT_EQ(why_not_still(without_background(40, 60)),
+              "was turned, or is covered, at 19.5 s of its film: nothing of its background is seen "
+              "from there on; use the films before it alone, or film again");
+    // Somebody comes to end the film; somebody passes; a wall tells next to nothing, or nothing.
+    EXPECT_EQ(why_not_still(without_background(50, 60)), "");
+    EXPECT_EQ(why_not_still(without_background(20, 45)), "");
+    EXPECT_EQ(why_not_still(without_background(4, 60)), "");
+    EXPECT_EQ(why_not_still(without_background(0, 60)), "");
+}
+
+TEST(StillCamera, it_surely_stood_where_its_background_is_seen_all_the_time) {
+    EXPECT_TRUE(surely_stood_still(without_background(0, 0)));
+    EXPECT_TRUE(surely_stood_still(without_background(30, 34)));
+    EXPECT_FALSE(surely_stood_still(without_background(30, 45)));
+    EXPECT_FALSE(surely_stood_still(without_background(40, 60)));
+    EXPECT_FALSE(surely_stood_still(without_background(0, 60)));
+    EXPECT_FALSE(surely_stood_still(KeypointFilm{"left", 1280, 720, "full", {}}));
+    EXPECT_FALSE(surely_stood_still(film_of([](double time) {
+        return BackgroundPlace{{time < 12.2 ? 0.0 : 5.0, 0.0}, 1.0};
+    })));
 }
 
 TEST(StillCamera, an_hour_is_told_as_well) {

@@ -18,7 +18,10 @@ constexpr double kSeconds = 12.0;
 /// A change of the pictures of one camera: where a pixel goes at a moment.
 using Change = std::function<glm::dvec2(const glm::dvec2& pixel, double time)>;
 
-std::vector<std::string> doubts_of(const std::vector<double>& angles, const Change& change) {
+// Of `still` cameras the background has said that they stood still.
+std::vector<std::string> doubts_of(const std::vector<double>& angles,
+                                   const Change& change,
+                                   const std::vector<std::size_t>& still = {}) {
     const Rig rig = test::ring(angles);
     const auto clocks = test::true_clocks(rig);
     auto films = test::filmed(test::written_dance("hiphop", 0, kSeconds), rig, clocks, {});
@@ -30,7 +33,12 @@ std::vector<std::string> doubts_of(const std::vector<double>& angles, const Chan
         }
     }
     const auto take = keypoint_take(films, clocks, 30.0);
-    return take ? standing_doubts(rig, *take) : std::vector<std::string>{take.error().message};
+    std::vector<bool> are_still(angles.size(), false);
+    for (const std::size_t camera : still) {
+        are_still[camera] = true;
+    }
+    return take ? standing_doubts(rig, *take, are_still)
+                : std::vector<std::string>{take.error().message};
 }
 
 // Fifteen pixels are a shake of the head of the network; this is one degree of the camera.
@@ -54,6 +62,26 @@ TEST(StandingCameras, one_of_three_that_was_moved_is_named) {
     const auto doubts = doubts_of({0.0, 80.0, 200.0}, bumped_pixel);
     ASSERT_EQ(doubts.size(), 1U);
     EXPECT_EQ(doubts[0].rfind("camera2 was moved at 7.0 ", 0), 0U) << doubts[0];
+}
+
+TEST(StandingCameras, one_beside_another_whose_background_stood_is_named) {
+    const auto doubts = doubts_of({0.0, 90.0}, bumped_pixel, {0});
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_EQ(doubts[0].rfind("camera2 was moved at 7.0 ", 0), 0U) << doubts[0];
+}
+
+TEST(StandingCameras, of_two_whose_backgrounds_stood_the_clocks_alone_are_doubted) {
+    const glm::dvec2 middle(359.5, 359.5);
+    // As of a dancer who is seen by ever less of the body.
+    EXPECT_TRUE(doubts_of({0.0, 90.0},
+                          [&](const glm::dvec2& pixel, double time) {
+                              return middle + (pixel - middle) * (1.0 + 0.1 * time / kSeconds);
+                          },
+                          {0, 1})
+                    .empty());
+    const auto doubts = doubts_of({0.0, 90.0}, bumped_pixel, {0, 1});
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_EQ(doubts[0].rfind("camera1 and camera2 stood still, but ", 0), 0U) << doubts[0];
 }
 
 TEST(StandingCameras, one_that_zooms_or_wanders_is_said) {
