@@ -75,6 +75,16 @@ class SoundSyncPacket {
 class WledOutput final : public Output {
  public:
     explicit WledOutput(const WledTarget& target) : Output(target.timing), peer_(target.place) {}
+    WledOutput(const WledOutput&) = delete;
+    WledOutput& operator=(const WledOutput&) = delete;
+    ~WledOutput() override {
+        if (peaks_left_ == kPeakPackets) {
+            send_packet();  // a beat that no packet has told yet
+        }
+        if (is_lit_) {
+            send_dark();
+        }
+    }
 
     void tell(const OutputMoment& moment) override {
         if (moment.notice.kind == Notice::Kind::beat && moment.notice.is_paced) {
@@ -92,12 +102,19 @@ class WledOutput final : public Output {
         if (std::exchange(has_heard_, false)) {
             heard_at_ = turn.now;
         }
-        if (turn.line && turns_.take(turn.now)) {
-            if (turn.now - heard_at_ > kStale) {
-                spectrum_ = {};
-            }
-            send_packet();
+        // A beat may be told as the last of what is heard.
+        const bool sounds = turn.line || peaks_left_ > 0;
+        if ((!sounds && !is_lit_) || !turns_.take(turn.now)) {
+            return;
         }
+        if (!sounds) {
+            send_dark();
+            return;
+        }
+        if (turn.now - heard_at_ > kStale) {
+            spectrum_ = {};
+        }
+        send_packet();
     }
 
     [[nodiscard]] std::optional<HostTime> due() const override { return turns_.next(); }
@@ -118,6 +135,15 @@ class WledOutput final : public Output {
         packet.set_spectrum(spectrum_, kMagnitude * static_cast<float>(loudest.front()));
         peaks_left_ = std::max(0, peaks_left_ - 1);
         count(peer_.send(packet.bytes()));
+        is_lit_ = true;
+    }
+    // The last one: lights would hold what they heard until they give up waiting.
+    void send_dark() {
+        spectrum_ = {};
+        smooth_ = 0.0F;
+        peaks_left_ = 0;
+        send_packet();
+        is_lit_ = false;
     }
 
     UdpPeer peer_;
@@ -127,6 +153,7 @@ class WledOutput final : public Output {
     HostTime heard_at_{};
     float smooth_ = 0.0F;
     int peaks_left_ = 0;
+    bool is_lit_ = false;  // packets were sent, and no last one
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "tests/support/peers.hpp"
@@ -34,10 +35,11 @@ class Wled : public ::testing::Test {
         music.spectrum.strongest_hz = hertz;
         output_->hear({music, {}, {}});
     }
-    /// The packets of the next `span`, by turns of 5 ms.
-    std::vector<std::string> packets_of(Nanos span) {
+    /// The packets of the next `span`, by turns of 5 ms. No line: nothing is followed.
+    std::vector<std::string> packets_of(Nanos span,
+                                        const std::optional<HeardLine>& line = HeardLine{}) {
         for (const HostTime end = now_ + span; now_ < end; now_ += milliseconds(5)) {
-            output_->turn({now_, HeardLine{}});
+            output_->turn({now_, line});
         }
         return light_.take_all();
     }
@@ -88,6 +90,36 @@ TEST_F(Wled, lights_go_out_when_nothing_comes_any_more) {
     EXPECT_EQ(float_at(packets.front(), 8), 255.0F);
     EXPECT_EQ(float_at(packets.back(), 8), 0.0F);
     EXPECT_EQ(float_at(packets.back(), 40), 0.0F);
+}
+
+TEST_F(Wled, a_last_packet_puts_the_lights_out_when_nothing_is_followed) {
+    hear(255, 100.0F);
+    EXPECT_EQ(packets_of(milliseconds(100)).size(), 5U);
+    output_->tell({});
+    const std::vector<std::string> packets = packets_of(std::chrono::seconds(1), std::nullopt);
+    ASSERT_EQ(packets.size(), 6U);
+    EXPECT_EQ(packets[4][16], 1);
+    EXPECT_EQ(packets[5][16], 0);
+    EXPECT_EQ(float_at(packets[5], 8), 0.0F);
+    EXPECT_EQ(float_at(packets[5], 12), 0.0F);
+}
+
+TEST_F(Wled, the_end_tells_a_beat_that_waits_and_puts_the_lights_out) {
+    hear(255, 100.0F);
+    EXPECT_EQ(packets_of(milliseconds(5)).size(), 1U);
+    output_->tell({});
+    output_.reset();
+    const std::vector<std::string> packets = light_.take_all();
+    ASSERT_EQ(packets.size(), 2U);
+    EXPECT_EQ(packets[0][16], 1);
+    EXPECT_EQ(packets[1][16], 0);
+    EXPECT_EQ(float_at(packets[1], 8), 0.0F);
+}
+
+TEST_F(Wled, nothing_is_sent_where_nothing_was_heard) {
+    EXPECT_TRUE(packets_of(milliseconds(100), std::nullopt).empty());
+    output_.reset();
+    EXPECT_TRUE(light_.take_all().empty());
 }
 
 }  // namespace
