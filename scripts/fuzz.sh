@@ -15,7 +15,7 @@ if [ ${#readers[@]} -eq 0 ]; then
     mapfile -t readers < <(ls tests/fuzz/corpus)
 fi
 cmake --build --preset fuzz --target "${readers[@]/#/raks_fuzz_}"
-seconds=$(awk -v h="$hours" -v n="${#readers[@]}" 'BEGIN { s = int(h * 3600 / n); print s > 0 ? s : 1 }')
+seconds=$(awk -v h="$hours" -v n="${#readers[@]}" 'BEGIN { s = int(h * 3600 / n); print (s > 0 ? s : 1) }')
 mkdir -p build/fuzz/finds
 status=0
 for reader in "${readers[@]}"; do
@@ -28,7 +28,7 @@ for reader in "${readers[@]}"; do
     [ ${#seeds[@]} -eq 0 ] || cp "${seeds[@]}" "$learnt/"
     # Every seed must fit whole, with room to grow: shipped networks have megabytes.
     longest=$(find "tests/fuzz/corpus/$reader" "${seeds[@]}" -type f -printf '%s\n' |
-        awk '{ if ($1 > most) most = $1 } END { most += int(most / 8); print most > 65536 ? most : 65536 }')
+        awk '{ if ($1 > most) most = $1 } END { most += int(most / 8); print (most > 65536 ? most : 65536) }')
     # -timeout: CPU seconds of one input; memory: far more than any file of a person needs.
     nice -n 19 "build/fuzz/tests/fuzz/raks_fuzz_$reader" "$learnt" "tests/fuzz/corpus/$reader" \
         -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2000 -max_len="$longest" \
