@@ -75,7 +75,7 @@ class TomlComplaints {
         if (root["format"].value<std::string>() != std::string(format)) {
             complain(fmt::format("format must be \"{}\"", format));
         }
-        const auto version = root["version"].value<std::int64_t>();
+        const auto version = root["version"].value_exact<std::int64_t>();
         if (!version || *version < 1 || *version > newest) {
             complain(fmt::format("version must be a number up to {}; is Raks older than the file?",
                                  newest));

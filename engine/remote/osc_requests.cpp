@@ -3,6 +3,8 @@
 #include <oscpack/osc/OscReceivedElements.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,14 +22,32 @@ constexpr std::string_view kPrefix = "/raks/do/";
 // Of one packet: enough for all actions at once.
 constexpr std::size_t kMostMessages = 256;
 
+// The library takes sizes as signed numbers, and does not come to an end where one is negative.
+bool has_whole_parts(std::string_view bundle) {
+    constexpr std::size_t kHead = 16;  // "#bundle" and the time tag
+    constexpr std::size_t kSize = 4;
+    std::size_t at = kHead;
+    while (at + kSize <= bundle.size()) {
+        std::uint32_t size = 0;
+        for (std::size_t i = 0; i < kSize; ++i) {
+            size = size << 8U | static_cast<unsigned char>(bundle[at + i]);
+        }
+        at += kSize;
+        if (size > bundle.size() - at) {
+            return false;
+        }
+        at += size;
+    }
+    return at >= bundle.size();
+}
+
 /// A packet that is being read.
 class OscReader {
  public:
     explicit OscReader(HostTime now) : now_(now) {}
 
     void read(const osc::ReceivedPacket& packet) {
-        packet.IsBundle() ? read(osc::ReceivedBundle(packet), 1)
-                          : read(osc::ReceivedMessage(packet));
+        packet.IsBundle() ? read_bundle(packet, 1) : read(osc::ReceivedMessage(packet));
     }
     [[nodiscard]] OscRequests take() { return std::move(result_); }
     void count(std::string fault) {
@@ -38,14 +58,20 @@ class OscReader {
     }
 
  private:
-    void read(const osc::ReceivedBundle& bundle, int depth) {
+    // A packet, or a part of a bundle, that is a bundle itself.
+    template <typename Part>
+    void read_bundle(const Part& from, int depth) {
         if (depth > kDeepestOscBundle) {
             count("bundles in bundles are too deep");
             return;
         }
+        if (!has_whole_parts({from.Contents(), static_cast<std::size_t>(from.Size())})) {
+            count("no OSC: the parts of a bundle do not fit into it");
+            return;
+        }
+        const osc::ReceivedBundle bundle(from);
         for (auto part = bundle.ElementsBegin(); part != bundle.ElementsEnd(); ++part) {
-            part->IsBundle() ? read(osc::ReceivedBundle(*part), depth + 1)
-                             : read(osc::ReceivedMessage(*part));
+            part->IsBundle() ? read_bundle(*part, depth + 1) : read(osc::ReceivedMessage(*part));
         }
     }
 

@@ -58,11 +58,11 @@ std::string assign(const SettingRow& row, const toml::node& node, Settings& sett
                 settings.*field = std::move(*texts);
                 return {};
             } else {
-                const std::optional<T> value = node.value<T>();
                 // node.value() converts between whole numbers, decimals and truth values; a file
                 // must not mean one by another. A whole number for a decimal is fine.
-                if (!value || (std::is_same_v<T, std::int64_t> && !node.is_integer()) ||
-                    (std::is_same_v<T, bool> && !node.is_boolean())) {
+                const std::optional<T> value =
+                    std::is_same_v<T, double> ? node.value<T>() : node.value_exact<T>();
+                if (!value) {
                     constexpr std::string_view kind = std::is_same_v<T, std::string> ? "a text"
                                                       : std::is_same_v<T, bool> ? "true or false"
                                                                                 : "a number";
@@ -159,12 +159,12 @@ class TableReader {
             return fail(fmt::format(
                 "{}: format is not \"{}\"; this is another kind of file", name_, form_.format));
         }
-        const std::int64_t version = table["version"].value_or(kSettingsVersion);
-        if (version != kSettingsVersion) {
+        const auto version = table["version"].value_exact<std::int64_t>();
+        if (table.contains("version") && version != kSettingsVersion) {
             return fail(
                 fmt::format("{}: version {} is not known to this Raks (it reads version {})",
                             name_,
-                            version,
+                            version ? std::to_string(*version) : "of another kind",
                             kSettingsVersion));
         }
         return {};

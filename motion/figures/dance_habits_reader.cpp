@@ -104,7 +104,7 @@ void read_hands(const toml::table& root, HandHabits& hands, std::vector<std::str
         if (entry.first.str() == "shapes") {
             read_shapes(entry.second, hands.shapes, faults);
         } else if (entry.first.str() == "every") {
-            const auto every = entry.second.value<std::int64_t>().value_or(0);
+            const auto every = entry.second.value_exact<std::int64_t>().value_or(0);
             if (every >= 1 && every <= kMostCounts) {
                 hands.every = static_cast<int>(every);
             } else {

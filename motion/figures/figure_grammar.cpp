@@ -106,7 +106,7 @@ class GrammarReader {
             return fail(fmt::format("{}: format must be \"{}\"", name_, kGrammarFormat));
         }
         // A newer version is most likely a newer program's file.
-        const auto version = root["version"].value<std::int64_t>();
+        const auto version = root["version"].value_exact<std::int64_t>();
         if (!version || *version < 1 || *version > kGrammarVersion) {
             return fail(
                 fmt::format("{}: version must be a number up to {}; is Raks older than the file?",
@@ -123,8 +123,9 @@ class GrammarReader {
             return fail(fmt::format("{}: dance: {}", name_, why_no_plain_name(grammar.dance)));
         }
         // Of a wrong type: 0, which fails the range check below.
-        const auto bar = root["beats_per_bar"].value_or<std::int64_t>(
-            root.contains("beats_per_bar") ? 0 : grammar.beats_per_bar);
+        const std::int64_t bar = root.contains("beats_per_bar")
+                                     ? root["beats_per_bar"].value_exact<std::int64_t>().value_or(0)
+                                     : grammar.beats_per_bar;
         if (bar < 2 || bar > 12) {
             return fail(name_ + ": beats_per_bar must be a number from 2 to 12");
         }

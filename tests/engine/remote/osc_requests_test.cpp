@@ -93,6 +93,8 @@ TEST(OscRequests, bundles_are_read_four_deep) {
 TEST(OscRequests, bytes_that_are_no_osc_ask_for_nothing) {
     std::vector<std::string> packets = {"", "x", "/raks/do/tap", std::string(8193, '/')};
     packets.push_back(std::string("#bundle\0\0\0\0\0\0\0\0\1\177\377\377\377", 20));
+    // Its part is four bytes less than nothing long: it would never end.
+    packets.push_back(std::string("#bundle\0\0\0\0\0\0\0\0\1\377\377\377\374", 20));
     packets.push_back(std::string("/raks/do/nudge\0\0,f\0\0", 20));  // its number is missing
     packets.push_back(std::string("/raks/do/tap\0\0\0\0,\377\377\377", 20));
     for (const std::string& packet : packets) {
