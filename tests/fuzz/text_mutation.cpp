@@ -204,25 +204,26 @@ class TextMutation {
 
     // A member of a table on one line comes twice: "{"a": 1, "a": 1}", or with another value.
     void repeat_member() {
-        const std::vector<Span> members = members_of_tables();
+        const std::vector<std::size_t> members = members_of_tables();
         if (members.empty()) {
             return;
         }
-        const Span member = members[below(members.size())];
-        std::string copy = text_.substr(member.at, member.size);
+        const std::size_t at = members[below(members.size())];
+        const std::size_t colon = text_.find(':', text_.find('"', at + 1));
+        std::string copy = text_.substr(at, end_of_value(colon + 1) - at);
         if (below(2) == 0) {
             copy.resize(copy.find(':') + 1);
             copy += one_of(kForeign);
         }
-        text_.insert(member.at, copy + ",");
+        text_.insert(at, copy + ",");
     }
-    // Of JSON: a key in quotes, its colon and its value.
-    [[nodiscard]] std::vector<Span> members_of_tables() const {
-        std::vector<Span> found;
+    // Of JSON: where keys in quotes stand that a colon follows.
+    [[nodiscard]] std::vector<std::size_t> members_of_tables() const {
+        std::vector<std::size_t> found;
         for (const Span& key : quoted()) {
             const std::size_t colon = text_.find_first_not_of(" \t\r\n", key.at + key.size);
             if (colon != std::string::npos && text_[colon] == ':') {
-                found.push_back({key.at, end_of_value(colon + 1) - key.at});
+                found.push_back(key.at);
             }
         }
         return found;
