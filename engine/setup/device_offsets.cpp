@@ -92,7 +92,7 @@ Expected<DeviceOffsets> DeviceOffsets::parse(std::string_view text, const std::s
     if (file["format"].value_or(std::string()) != "raks-device-offsets") {
         return fail(name + ": format is not \"raks-device-offsets\"; this is another kind of file");
     }
-    if (const auto version = file["version"].value_or(std::int64_t{0});
+    if (const auto version = file["version"].value_exact<std::int64_t>().value_or(0);
         version != kOffsetsVersion) {
         return fail(fmt::format("{}: version {} is not known to this Raks (it reads version {})",
                                 name,

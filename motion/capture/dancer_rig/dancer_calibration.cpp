@@ -301,6 +301,7 @@ Expected<DancerCalibration> calibrate_by_dancer(const KeypointTake& take,
     }
     doubt(cameras, *best);
     std::vector<bool> are_still;
+    are_still.reserve(cameras.size());
     for (const DancerCamera& camera : cameras) {
         are_still.push_back(camera.is_surely_still);
     }

@@ -82,7 +82,7 @@ std::vector<SeenBackground> backgrounds_of(const KeypointFilm& film) {
 }
 
 std::vector<SeenBackground> places_of(const KeypointFilm& film) {
-    const std::vector<SeenBackground> all = without_single(backgrounds_of(film));
+    std::vector<SeenBackground> all = without_single(backgrounds_of(film));
     if (all.size() <= kMostPlaces) {
         return all;
     }
