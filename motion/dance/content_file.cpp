@@ -22,11 +22,16 @@ void pack_pose(const Pose& pose, Packer& packer) {
     packer.put(pose.foot_contact);
 }
 
+// Whatever byte it is.
+bool take_flag(Unpacker& unpacker) { return unpacker.take<std::uint8_t>() != 0; }
+
 Pose unpack_pose(Unpacker& unpacker) {
     Pose pose;
     unpacker.take_into(pose.local_rotations);
     unpacker.take_into(pose.hips_position);
-    unpacker.take_into(pose.foot_contact);
+    for (bool& is_down : pose.foot_contact) {
+        is_down = take_flag(unpacker);
+    }
     return pose;
 }
 
@@ -60,7 +65,7 @@ LibraryFigure unpack_figure(Unpacker& unpacker, const std::shared_ptr<const void
     figure.beats = unpacker.take<int>();
     figure.move = unpacker.take<FloorMove>();
     figure.place = unpacker.take<FloorMove>();
-    figure.turns_half = unpacker.take<std::uint8_t>() != 0;  // whatever byte it is
+    figure.turns_half = take_flag(unpacker);
     for (std::vector<double>& fist : figure.fist) {
         fist = unpacker.take_list<std::vector<double>>();
     }
@@ -71,7 +76,7 @@ LibraryFigure unpack_figure(Unpacker& unpacker, const std::shared_ptr<const void
     figure.middle.pose = unpack_pose(unpacker);
     unpacker.take_into(figure.middle.ankles);
     unpacker.take_into(figure.middle.turns_about_it);
-    unpacker.take_into(figure.middle.comes_back);
+    figure.middle.comes_back = take_flag(unpacker);
     const auto passages = unpacker.take<std::uint32_t>();
     for (std::uint32_t i = 0; i < passages && unpacker.is_good(); ++i) {
         figure.passages.push_back(FigurePassage::unpack(unpacker, owner));

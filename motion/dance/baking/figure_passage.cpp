@@ -254,7 +254,7 @@ void FigurePassage::keep(const std::vector<Pose>& poses, int samples_per_beat) {
             sample.rotations[bone] = is_other_sign ? -rotation : rotation;
         }
         sample.hips = pose.hips_position;
-        sample.contact = pose.foot_contact;
+        std::copy(pose.foot_contact.begin(), pose.foot_contact.end(), sample.contact.begin());
         samples.push_back(sample);
     }
     set_samples(std::move(samples));
@@ -350,7 +350,8 @@ void FigurePassage::set_body(const Samples& samples, const Place& place, Pose& p
     const auto& after = samples[place.before + 1];
     set_rotations(samples, place, 0, pose);
     pose.hips_position = glm::mix(hips_of(before.hips), hips_of(after.hips), place.share);
-    pose.foot_contact = place.share < 0.5F ? before.contact : after.contact;
+    const auto& contact = place.share < 0.5F ? before.contact : after.contact;
+    pose.foot_contact = {contact[0] != 0, contact[1] != 0};
 }
 
 void FigurePassage::at(double beat, Pose& pose) const noexcept RAKS_NONBLOCKING {

@@ -117,7 +117,8 @@ class FigurePassage {
     struct Sample {
         std::array<glm::quat, kBones.size()> rotations;
         glm::vec3 hips{};
-        std::array<bool, 2> contact{};
+        // Bytes: a cache may hold any number, which no bool can have.
+        std::array<std::uint8_t, 2> contact{};
         std::array<bool, 2> unused{};  // instead of padding, so that a cache holds defined bytes
     };
     static_assert(sizeof(Sample) == 4 * (kBones.size() * 4 + 3) + 4);
@@ -125,8 +126,8 @@ class FigurePassage {
     struct CompactSample {
         std::array<std::array<std::int16_t, 4>, kBones.size()> rotations;
         std::array<float, 3> hips{};
-        std::array<bool, 2> contact{};
-        std::array<bool, 2> unused{};  // as above
+        std::array<std::uint8_t, 2> contact{};  // as above
+        std::array<bool, 2> unused{};           // as above
     };
     static_assert(sizeof(CompactSample) == 2 * (kBones.size() * 4) + 16);
     /// Of a beat: the samples around it, and how far it lies from the first to the second.
