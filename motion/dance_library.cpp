@@ -67,10 +67,10 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::build(const CellDanc
 std::string DanceLibrary::packed() const { return pack_content(*content_); }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
-    std::shared_ptr<const std::string> bytes,
+    const std::shared_ptr<const std::string>& bytes,
     const Skeleton& skeleton,
     const FigureGrammar& grammar) {
-    auto content = unpack_content(std::move(bytes), skeleton, grammar);
+    auto content = unpack_content(bytes, skeleton, grammar);
     if (!content) {
         return fail(std::move(content.error()));
     }
@@ -79,8 +79,10 @@ Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
 }
 
 Expected<std::shared_ptr<const DanceLibrary>> DanceLibrary::unpack(
-    std::shared_ptr<const std::string> bytes, const Skeleton& skeleton, const DanceHabits& habits) {
-    auto content = unpack_cell_content(std::move(bytes), skeleton);
+    const std::shared_ptr<const std::string>& bytes,
+    const Skeleton& skeleton,
+    const DanceHabits& habits) {
+    auto content = unpack_cell_content(bytes, skeleton);
     if (!content) {
         return fail(std::move(content.error()));
     }

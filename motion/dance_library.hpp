@@ -49,12 +49,12 @@ class DanceLibrary {
     /// Reads what packed() returned, without a copy: the library keeps the bytes. Errors: damaged,
     /// of another program, other figures than the grammar has. Threads: workers. Real-time: no.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
-        std::shared_ptr<const std::string> bytes,
+        const std::shared_ptr<const std::string>& bytes,
         const Skeleton& skeleton,
         const FigureGrammar& grammar);
     /// The same of a dance of cells, which has no grammar.
     [[nodiscard]] static Expected<std::shared_ptr<const DanceLibrary>> unpack(
-        std::shared_ptr<const std::string> bytes,
+        const std::shared_ptr<const std::string>& bytes,
         const Skeleton& skeleton,
         const DanceHabits& habits = DanceHabits());
     /// Out of line, where Content is complete.

@@ -144,7 +144,7 @@ DanceContent unpack_head(const Skeleton& skeleton, Unpacker& unpacker) {
 
 }  // namespace
 
-Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
+Expected<DanceContent> unpack_content(const std::shared_ptr<const std::string>& file,
                                       const Skeleton& skeleton,
                                       const FigureGrammar& grammar) {
     const auto body = body_of(*file);
@@ -178,7 +178,7 @@ Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> file,
     return content;
 }
 
-Expected<DanceContent> unpack_cell_content(std::shared_ptr<const std::string> file,
+Expected<DanceContent> unpack_cell_content(const std::shared_ptr<const std::string>& file,
                                            const Skeleton& skeleton) {
     const auto body = body_of(*file);
     if (!body) {

@@ -18,13 +18,13 @@ namespace raks::motion {
 /// keeps them alive. `bytes`: not null. `skeleton`, `grammar`: those that it was solved with.
 /// Errors: damaged, cut short, of another program; other figures than the grammar has.
 /// Threads: workers. Real-time: no.
-[[nodiscard]] Expected<DanceContent> unpack_content(std::shared_ptr<const std::string> bytes,
+[[nodiscard]] Expected<DanceContent> unpack_content(const std::shared_ptr<const std::string>& bytes,
                                                     const Skeleton& skeleton,
                                                     const FigureGrammar& grammar);
 /// The same of a dance of cells, which needs no grammar: its graph is kept with its takes, joins by
 /// the millimetre as in the dance's file. Errors: damaged, cut short, of another program; a dance
 /// of figures.
-[[nodiscard]] Expected<DanceContent> unpack_cell_content(std::shared_ptr<const std::string> bytes,
-                                                         const Skeleton& skeleton);
+[[nodiscard]] Expected<DanceContent> unpack_cell_content(
+    const std::shared_ptr<const std::string>& bytes, const Skeleton& skeleton);
 
 }  // namespace raks::motion

@@ -52,7 +52,8 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
                                         int samples_per_beat) {
     const auto s = static_cast<std::size_t>(side);
     const std::optional<glm::vec2>& start_place = footing.places[s];
-    const auto samples = static_cast<std::size_t>(model.beats * samples_per_beat);
+    const auto samples =
+        static_cast<std::size_t>(model.beats) * static_cast<std::size_t>(samples_per_beat);
     std::vector<ContactWindow> windows =
         start_at_landings(contact_windows(model.contact[s], model.beats, samples),
                           footing.landings[s],
@@ -65,7 +66,7 @@ std::vector<PlannedContact> contacts_of(const FigureModel& model,
     }
     const std::size_t at_start = contact_at_start(windows, samples_per_beat, samples);
     const auto whole = static_cast<std::ptrdiff_t>(samples);
-    const std::ptrdiff_t around = kBeatsAround * samples_per_beat;
+    const auto around = static_cast<std::ptrdiff_t>(kBeatsAround) * samples_per_beat;
     std::vector<PlannedContact> planned;
     // A foot that never leaves the floor has one contact over all beats.
     if (!windows.empty() && windows.front().length == samples) {
@@ -189,7 +190,7 @@ StartPlaces learnt_places(const FigureModel& model,
     StartPlaces places;
     for (const Side side : kSides) {
         const auto s = static_cast<std::size_t>(side);
-        const std::ptrdiff_t start = kBeatsAround * figure.samples_per_beat;
+        const auto start = static_cast<std::ptrdiff_t>(kBeatsAround) * figure.samples_per_beat;
         const auto margin =
             static_cast<std::ptrdiff_t>(FigurePassage::kMargin * figure.samples_per_beat);
         glm::vec2 sum{};
