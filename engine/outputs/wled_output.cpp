@@ -75,8 +75,6 @@ class SoundSyncPacket {
 class WledOutput final : public Output {
  public:
     explicit WledOutput(const WledTarget& target) : Output(target.timing), peer_(target.place) {}
-    WledOutput(const WledOutput&) = delete;
-    WledOutput& operator=(const WledOutput&) = delete;
     ~WledOutput() override {
         if (peaks_left_ == kPeakPackets) {
             send_packet();  // a beat that no packet has told yet

@@ -17,6 +17,7 @@
 #include "render/gl/display_loss.hpp"
 #include "render/gl/glfw_keys.hpp"
 #include "render/gl/glfw_monitors.hpp"
+#include "render/gl/glfw_opening.hpp"
 
 namespace raks::render {
 
@@ -265,49 +266,6 @@ float Window::State::pixels_per_unit() const {
 
 namespace {
 
-void set_hints(const WindowOptions& options) {
-    const auto yes_no = [](bool is_on) { return is_on ? GLFW_TRUE : GLFW_FALSE; };
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    // macOS gives a core context only with this; elsewhere it does no harm.
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, options.samples);
-    glfwWindowHint(GLFW_TRANSPARENT_FRAMEBUFFER, yes_no(options.is_transparent));
-    glfwWindowHint(GLFW_DECORATED, yes_no(!options.is_borderless));
-    glfwWindowHint(GLFW_FLOATING, yes_no(options.is_on_top));
-    // Shown once it is where it was.
-    glfwWindowHint(GLFW_VISIBLE, yes_no(options.is_visible && !options.place));
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "raks");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "raks");
-}
-
-// Null: refused. Not every driver has contexts of which it tells that they are lost.
-GLFWwindow* create_handle(const WindowOptions& options) {
-    OpeningPlace opening{.at = {}, .width = options.width, .height = options.height};
-    if (options.place) {
-        opening = opening_place(*options.place, monitor_places());
-    }
-    const auto create = [&](int robustness) {
-        set_hints(options);
-        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
-        return glfwCreateWindow(
-            opening.width, opening.height, options.title.c_str(), nullptr, nullptr);
-    };
-    GLFWwindow* handle = options.outlives_loss ? create(GLFW_LOSE_CONTEXT_ON_RESET) : nullptr;
-    handle = handle != nullptr ? handle : create(GLFW_NO_ROBUSTNESS);
-    if (handle != nullptr && options.place) {
-        if (opening.at) {
-            glfwSetWindowPos(handle, opening.at->x, opening.at->y);
-        }
-        if (options.is_visible) {
-            glfwShowWindow(handle);
-        }
-    }
-    return handle;
-}
-
 // The function by which the driver tells that it has lost the context; null: it cannot. The context
 // is current.
 using ResetStatus = unsigned (*)();
@@ -337,7 +295,7 @@ Expected<Window> Window::create(const WindowOptions& options) {
     if (options.outlives_loss) {
         outlive_display();
     }
-    state->handle = create_handle(options);
+    state->handle = open_glfw_window(options);
     if (state->handle == nullptr) {
         return fail("no window with OpenGL 3.3: " + last_error() +
                     "; update the graphics driver, or " + options.otherwise);

@@ -104,8 +104,7 @@ struct Unseen {
 };
 
 // Precondition: it is seen once.
-Unseen unseen_of(const KeypointFilm& film) {
-    const std::vector<SeenBackground> seen = backgrounds_of(film);
+Unseen unseen_of(const KeypointFilm& film, Places seen) {
     Unseen unseen{seen.back().time, film.pictures.back().time - seen.back().time, 0.0};
     double last = film.pictures.front().time;
     for (const SeenBackground& one : seen) {
@@ -120,10 +119,11 @@ Unseen unseen_of(const KeypointFilm& film) {
 std::optional<double> moment_of_loss(const KeypointFilm& film) {
     constexpr double kLost = 8.0;     // seconds
     constexpr double kClearly = 4.0;  // times as long as ever before
-    if (backgrounds_of(film).size() < kFewestPlaces) {
+    const std::vector<SeenBackground> seen = backgrounds_of(film);
+    if (seen.size() < kFewestPlaces) {
         return std::nullopt;
     }
-    const Unseen unseen = unseen_of(film);
+    const Unseen unseen = unseen_of(film, seen);
     return unseen.at_end >= std::max(kLost, kClearly * unseen.longest_gap)
                ? std::optional(unseen.since)
                : std::nullopt;
@@ -201,10 +201,11 @@ std::string why_not_still(const KeypointFilm& film) {
 
 bool surely_stood_still(const KeypointFilm& film) {
     constexpr double kLongestGap = 3.0;  // seconds
-    if (backgrounds_of(film).size() < kFewestPlaces || !why_not_still(film).empty()) {
+    const std::vector<SeenBackground> seen = backgrounds_of(film);
+    if (seen.size() < kFewestPlaces || !why_not_still(film).empty()) {
         return false;
     }
-    const Unseen unseen = unseen_of(film);
+    const Unseen unseen = unseen_of(film, seen);
     return std::max(unseen.longest_gap, unseen.at_end) <= kLongestGap;
 }
 
